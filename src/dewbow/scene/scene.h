@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The neutral description: what every importer makes and every renderer takes.
+
+#include <string>
+#include <vector>
+
+#include "dewbow/scene/camera.h"
+#include "dewbow/scene/light.h"
+#include "dewbow/scene/material.h"
+#include "dewbow/scene/medium.h"
+#include "dewbow/scene/shape.h"
+#include "dewbow/spectrum/wavelengths.h"
+
+namespace dewbow {
+
+struct RenderSettings {
+    int samples_per_pixel = 64;
+    std::uint64_t seed = 0;
+    int packet = 8;  ///< wavelengths a path: 1, 4, 8 or 16
+    WavelengthSampling wavelengths = WavelengthSampling::visual;
+    /// Most surfaces that a path meets; 0 shows only what gives off light itself.
+    int max_depth = 64;
+    /// From this vertex on paths end by Russian roulette; max_depth and beyond = never.
+    int roulette_depth = 6;
+};
+
+struct Scene {
+    std::vector<Material> materials;
+    std::vector<Shape> shapes;
+    std::vector<Light> lights;
+    PerspectiveCamera camera;
+    Film film;
+    RenderSettings render;
+    /// What fills the space between bodies.
+    MediumPtr surroundings;
+
+    /// Adds a material and returns its index.
+    int add(Material material);
+};
+
+/// A scene of nothing, in air.
+Scene make_empty_scene();
+
+struct Bounds {
+    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    bool empty() const { return low.x > high.x; }
+    Vec3 centre() const { return (low + high) * 0.5; }
+    double radius() const { return empty() ? 0.0 : 0.5 * length(high - low); }
+    void add(Vec3 p);
+};
+
+/// Bounds of all shapes but infinite planes, in the world frame.
+Bounds bounds_of(const Scene& scene);
+Bounds bounds_of(const Shape& shape);
+
+/// A camera at a three-quarter view that holds `bounds` wholly, for scenes that bring none.
+PerspectiveCamera frame_bounds(const Bounds& bounds, double aspect);
+
+/// A photographer's studio: soft boxes before dark grey, for scenes that bring no light.
+std::shared_ptr<const ImageEnvironment> make_studio_environment();
+
+/// Throws InputError naming the first thing that no renderer could work with: an index out of range, a
+/// missing spectrum, a number out of its range, no camera.
+void validate(const Scene& scene);
+
+}  // namespace dewbow
