@@ -46,7 +46,9 @@ namespace detail {
 void check_failed(std::string_view condition, std::string_view file, int line,
                   std::string_view message) {
     std::string text(file);
-    text += ":" + std::to_string(line) + ": check failed: ";
+    text += ':';
+    text += std::to_string(line);
+    text += ": check failed: ";
     text += message;
     text += " [";
     text += condition;

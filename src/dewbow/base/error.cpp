@@ -133,10 +133,15 @@ int largest_cost(std::size_t longer) {
 std::string to_string(const SourcePlace& place) {
     std::string text = place.file;
     if (place.line > 0) {
-        text += (text.empty() ? "line " : ":") + std::to_string(place.line);
-        if (place.column > 0) text += ":" + std::to_string(place.column);
+        text += text.empty() ? "line " : ":";
+        text += std::to_string(place.line);
     }
-    if (!place.within.empty()) text += (text.empty() ? "" : ": ") + place.within;
+    if (place.line > 0 && place.column > 0) {
+        text += ':';
+        text += std::to_string(place.column);
+    }
+    if (!text.empty() && !place.within.empty()) text += ": ";
+    text += place.within;
     return text;
 }
 

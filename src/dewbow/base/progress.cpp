@@ -180,8 +180,9 @@ std::string bar_line(const std::string& title, const State& state, std::size_t c
               std::string(coloured ? kPlainColour : "") + std::string(cells - full, '-') + "]";
     }
     const std::size_t used = fixed + character_count(name) + (cells > 0 ? cells + brackets : 0);
-    if (used > width) return "\r" + first_characters(number, width);
-    return "\r" + name + " " + number + bar + "  " + times + std::string(width - used, ' ');
+    if (used > width) return first_characters("\r" + number, width + 1);
+    name.insert(0, 1, '\r');
+    return name + " " + number + bar + "  " + times + std::string(width - used, ' ');
 }
 
 ProgressStyle chosen_style(ProgressStyle wish, std::FILE* stream) {
@@ -245,7 +246,7 @@ std::string format_duration(std::chrono::duration<double> duration) {
     constexpr double kLongest = 1e9;
     if (!(duration.count() >= 0.0) || duration.count() > kLongest) return "?";
     const long long seconds = std::llround(duration.count());
-    const auto two_digits = [](long long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    const auto two_digits = [](long long n) { return std::to_string(100 + n).substr(1); };
     const long long hours = seconds / 3600, minutes = seconds / 60 % 60;
     if (hours == 0) return std::to_string(minutes) + ":" + two_digits(seconds % 60);
     return std::to_string(hours) + ":" + two_digits(minutes) + ":" + two_digits(seconds % 60);
