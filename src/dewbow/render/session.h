@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// One render from start to end: units of work, which of them are finished, when to stop, and what
+// there is to tell about it.
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "dewbow/base/progress.h"
+#include "dewbow/render/estimator.h"
+
+namespace dewbow {
+
+/// Samples per pixel in one pass. --time and --noise stop at pass ends only.
+inline constexpr int kSamplesPerPass = 4;
+/// From fewer samples a pixel's noise cannot be told.
+inline constexpr int kLeastSamplesForNoise = 16;
+/// Side of a tile in pixels.
+inline constexpr int kTileSide = 16;
+
+/// The units of a render, in the order (pass, tile), and which of them are finished.
+class UnitPlan {
+public:
+    UnitPlan(PixelRect crop, std::int64_t samples_per_pixel);
+
+    std::size_t passes() const { return passes_; }
+    std::size_t tiles() const { return tiles_.size(); }
+    std::size_t units() const { return passes_ * tiles_.size(); }
+    Unit unit(std::size_t pass, std::size_t tile) const;
+
+    void set_finished(std::size_t pass, std::size_t tile);  // any thread; each unit once
+    bool finished(std::size_t pass, std::size_t tile) const;
+    std::size_t finished_units() const;
+
+private:
+    std::vector<PixelRect> tiles_;
+    std::int64_t samples_per_pixel_;
+    std::size_t passes_;
+    // A pass takes memory from its first finished unit to its last: millions of passes may be
+    // planned.
+    struct PassState {
+        std::vector<bool> finished;
+        std::size_t count = 0;
+    };
+    mutable std::mutex mutex_;
+    std::map<std::size_t, PassState> begun_;    // by pass; neither untouched nor wholly finished
+    std::map<std::size_t, std::size_t> whole_;  // runs [first, end) of wholly finished passes
+    std::size_t finished_units_ = 0;
+};
+
+struct SessionOptions {
+    std::optional<PixelRect> crop;
+    /// Stop at the end of the pass in which this much time has gone by.
+    std::optional<std::chrono::duration<double>> time_limit;
+    /// Stop at the end of the pass in which the relative noise of the picture falls below this (see
+    /// relative_noise), but not before kLeastSamplesForNoise samples a pixel.
+    std::optional<double> noise_target;
+    ProgressStyle progress = ProgressStyle::none;
+    std::string title;
+    /// Set from a signal handler or another thread: units under way are finished, then the render
+    /// ends.
+    const std::atomic<bool>* stop = nullptr;
+};
+
+enum class StopReason { complete, time, noise, interrupted };
+
+/// "complete", "time", "noise", "interrupted"
+std::string to_string(StopReason reason);
+
+struct SessionResult {
+    StopReason reason = StopReason::complete;
+    PixelRect crop;
+    double samples_per_pixel = 0.0;  ///< mean over the crop
+    std::size_t finished_units = 0, planned_units = 0;
+    std::int64_t samples = 0;  ///< of all pixels together, invalid ones included
+    std::int64_t invalid_samples = 0;
+    std::uint64_t film_hash = 0;  ///< FilmSums::fingerprint
+    double seconds = 0.0;
+};
+
+/// Renders `scene.render.samples_per_pixel` samples of every pixel of the film's crop into `film`,
+/// which comes from make_film with the same options.
+SessionResult run_session(const Scene& scene, const Estimator& estimator,
+                          const SessionOptions& options, FilmSums& film);
+
+/// Film for `scene`: its size, bins, and quanta by its white luminance. Throws InputError if the
+/// crop does not lie in the picture.
+FilmSums make_film(const Scene& scene, const SessionOptions& options);
+
+/// Root mean square over pixels of (standard error of Y) / (Y + 1 % of the mean Y). 0 of a black
+/// picture.
+double relative_noise(const FilmSums& film);
+
+/// Everything that bits may depend on: version, compiler, instruction set in use, Embree's version
+/// and pinned instruction set, C library.
+std::string fingerprint();
+
+}  // namespace dewbow
