@@ -16,7 +16,7 @@ std::optional<T> parse_number(std::string_view text) {
     T value{};
     const char* first = text.data();
     const char* last = first + text.size();
-    if (first != last && *first == '+') ++first;
+    if (text.starts_with('+') && !text.starts_with("+-")) ++first;  // from_chars knows no plus
     const auto [end, status] = std::from_chars(first, last, value);
     if (status != std::errc{} || end != last || first == last) return std::nullopt;
     return value;
