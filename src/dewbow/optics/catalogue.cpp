@@ -2,7 +2,6 @@
 #include "dewbow/optics/catalogue.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -148,9 +147,9 @@ std::vector<const Glass*> glasses_named(std::string_view name) {
 }
 
 std::string full_names(const std::vector<const Glass*>& glasses) {
-    std::vector<std::string_view> names;
-    for (const Glass* glass : glasses) names.push_back(glass->name);
-    return fmt::format("{}", fmt::join(names, ", "));
+    std::string names;
+    for (const Glass* glass : glasses) names += (names.empty() ? "" : ", ") + glass->name;
+    return names;
 }
 
 /// "did you mean schott/F2?": nearest among the full names if a maker was given, among the rest if

@@ -65,8 +65,8 @@ Reflectance<double> conductor_in_double(double cos_i, double n, double k) {
     const double s2 = sin_squared(cos_i);
     const double sum2 = (cos_i + a) * (cos_i + a) + b * b;
     const double difference_re = (n - 1.0) * (n + 1.0) - k * k;  // of (n + ik)² − 1 = q² − c²
-    const double difference2 = difference_re * difference_re + v * v;
-    const double R_perpendicular = std::min(difference2 / (sum2 * sum2), 1.0);
+    const double perpendicular = std::hypot(difference_re, v) / sum2;
+    const double R_perpendicular = std::min(perpendicular * perpendicular, 1.0);
     if (s2 == 0.0) return {R_perpendicular, R_perpendicular};
     const double ca = cos_i * a, cb = cos_i * b;
     const double ratio2 = ((ca - s2) * (ca - s2) + cb * cb) / ((ca + s2) * (ca + s2) + cb * cb);
