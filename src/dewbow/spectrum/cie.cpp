@@ -58,7 +58,8 @@ Colour<Xyz> xyz_from_spectrum(const Spectrum& spectrum) {
     constexpr double kStep_nm = 0.5;
     constexpr std::size_t kIntervals = 2 * kCells;
     std::array<double, kIntervals + 1> lambda_nm{}, value{};
-    for (std::size_t i = 0; i <= kIntervals; ++i) lambda_nm[i] = kLambdaMin_nm + double(i) * kStep_nm;
+    for (std::size_t i = 0; i <= kIntervals; ++i)
+        lambda_nm[i] = kLambdaMin_nm + double(i) * kStep_nm;
     spectrum.eval_lanes(lambda_nm, value);
     double sum[4] = {};
     for (std::size_t i = 0; i <= kIntervals; ++i) {

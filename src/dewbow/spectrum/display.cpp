@@ -61,8 +61,9 @@ std::array<double, 2> dither_numbers(int x, int y, std::uint32_t channel) {
 }
 
 /// `encoded` in [0, 1] as a code value whose mean over dithers is 255 × encoded.
-/// Triangular dither; in the outermost half code values, where it would leave the range and so shift the
-/// mean, uniform dither between the two codes there: exact black and white stay as they are.
+/// Triangular dither; in the outermost half code values, where it would leave the range and so
+/// shift the mean, uniform dither between the two codes there: exact black and white stay as they
+/// are.
 std::uint8_t dithered_code(double encoded, std::array<double, 2> random) {
     const double code = 255.0 * encoded;
     const bool at_end = code < 0.5 || code > 254.5;
@@ -89,8 +90,10 @@ GamutMapping gamut_mapping_from_name(std::string_view name) {
 template <class Space>
 Colour<Space> map_gamut(Colour<Space> rgb, GamutMapping mapping) {
     switch (mapping) {
-        case GamutMapping::clip: return clip_negative(rgb);
-        case GamutMapping::towards_white: return lift_negative_towards_white(rgb);
+        case GamutMapping::clip:
+            return clip_negative(rgb);
+        case GamutMapping::towards_white:
+            return lift_negative_towards_white(rgb);
     }
     return rgb;
 }

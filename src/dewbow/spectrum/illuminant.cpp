@@ -57,8 +57,9 @@ constexpr double kLightSpeed_m_per_s = 299792458.0;
 
 constexpr double kMinTemperature_K = 500.0;
 constexpr double kMaxTemperature_K = 1e6;
-/// Between the values of a black body's table. Linear interpolation is then wrong by less than 8e-5 of the
-/// value at 500 K (at 555 nm; 3e-4 at 360 nm, where it is 1e-11 of the peak), by 4e-6 at 2500 K.
+/// Between the values of a black body's table. Linear interpolation is then wrong by less than 8e-5
+/// of the value at 500 K (at 555 nm; 3e-4 at 360 nm, where it is 1e-11 of the peak), by 4e-6 at
+/// 2500 K.
 constexpr double kBlackbodyStep_nm = 0.25;
 
 }  // namespace

@@ -26,8 +26,8 @@ constexpr Triple xyz_from_chromaticity(std::array<double, 2> xy) {
     return {xy[0] / xy[1], 1.0, (1.0 - xy[0] - xy[1]) / xy[1]};
 }
 
-/// The matrix that takes (1, 0, 0) … to multiples of the primaries and (1, 1, 1) to the white with Y = 1.
-/// [SMPTE RP 177]
+/// The matrix that takes (1, 0, 0) … to multiples of the primaries and (1, 1, 1) to the white with
+/// Y = 1. [SMPTE RP 177]
 constexpr Matrix3 matrix_of_primaries(const RgbPrimaries& primaries) {
     const Matrix3 columns = matrix_of_columns(xyz_from_chromaticity(primaries.red),
                                               xyz_from_chromaticity(primaries.green),
@@ -43,8 +43,8 @@ template <class Space>
 constexpr Matrix3 kRgbFromXyz = inverse(kXyzFromRgb<Space>);
 
 /// Sharpened cone responses from XYZ.  [Lam 1985; ICC.1:2010, Annex E]
-constexpr Matrix3 kBradford{
-    {Triple{0.8951, 0.2664, -0.1614}, Triple{-0.7502, 1.7135, 0.0367}, Triple{0.0389, -0.0685, 1.0296}}};
+constexpr Matrix3 kBradford{{Triple{0.8951, 0.2664, -0.1614}, Triple{-0.7502, 1.7135, 0.0367},
+                             Triple{0.0389, -0.0685, 1.0296}}};
 constexpr Matrix3 kBradfordInverse = inverse(kBradford);
 
 }  // namespace

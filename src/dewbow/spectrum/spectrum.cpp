@@ -18,8 +18,8 @@ void Spectrum::eval_lanes(std::span<const double> lambda_nm, std::span<double> o
 
 namespace {
 
-/// Steps of a table may differ from each other by this part of a step and still count as equal: far above
-/// rounding (1e-13 for wavelengths of 1e3 nm), far below what moves an interpolated value.
+/// Steps of a table may differ from each other by this part of a step and still count as equal: far
+/// above rounding (1e-13 for wavelengths of 1e3 nm), far below what moves an interpolated value.
 constexpr double kRegularStepTolerance = 1e-9;
 
 class ConstantSpectrum final : public Lanewise<ConstantSpectrum> {
@@ -48,7 +48,8 @@ double max_at_knots(const Kind& spectrum, std::span<const double> knots) {
 class RegularTable final : public Lanewise<RegularTable> {
 public:
     /// At least two values.
-    RegularTable(std::span<const double> lambda_nm, std::vector<double> values, OutsideTable outside)
+    RegularTable(std::span<const double> lambda_nm, std::vector<double> values,
+                 OutsideTable outside)
         : values_(std::move(values)),
           first_nm_(lambda_nm.front()),
           last_nm_(lambda_nm.back()),
@@ -112,7 +113,8 @@ void require_table(std::span<const double> lambda_nm, std::span<const double> va
     }
     for (std::size_t i = 0; i < lambda_nm.size(); ++i) {
         if (!std::isfinite(lambda_nm[i]) || !std::isfinite(values[i])) {
-            throw InputError("row " + std::to_string(i + 1) + " of a spectrum's table is not finite");
+            throw InputError("row " + std::to_string(i + 1) +
+                             " of a spectrum's table is not finite");
         }
         if (i > 0 && lambda_nm[i] <= lambda_nm[i - 1]) {
             throw InputError("wavelengths of a spectrum's table must ascend, but row " +
@@ -150,7 +152,8 @@ public:
 
     double value_at(double lambda_nm) const {
         const auto above = std::upper_bound(edges_nm_.begin(), edges_nm_.end(), lambda_nm);
-        return above == edges_nm_.begin() ? 0.0 : values_[std::size_t(above - edges_nm_.begin()) - 1];
+        return above == edges_nm_.begin() ? 0.0
+                                          : values_[std::size_t(above - edges_nm_.begin()) - 1];
     }
     double max_value() const override { return max_value_; }
 
@@ -220,7 +223,8 @@ SpectrumPtr make_lines(std::vector<Line> lines, Wavelength width) {
 
 SpectrumPtr make_scaled(SpectrumPtr spectrum, double factor) {
     DEWBOW_CHECK(spectrum != nullptr, "a spectrum to scale");
-    DEWBOW_CHECK(factor >= 0.0 && std::isfinite(factor), "a spectrum is scaled by a finite factor >= 0");
+    DEWBOW_CHECK(factor >= 0.0 && std::isfinite(factor),
+                 "a spectrum is scaled by a finite factor >= 0");
     if (spectrum->is_constant()) return make_constant(factor * spectrum->max_value());
     return std::make_shared<ScaledSpectrum>(std::move(spectrum), factor);
 }

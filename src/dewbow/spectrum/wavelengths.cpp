@@ -13,10 +13,11 @@ namespace {
 constexpr int kCells = 470;  ///< of 1 nm, from kLambdaMin_nm to kLambdaMax_nm
 constexpr double kRange_nm = kLambdaMax_nm - kLambdaMin_nm;
 
-/// The visual density is Σ w (x̄, ȳ, z̄), broadened by a Gaussian of this standard deviation, plus a floor.
-/// Tuned by random search over the four numbers for the smallest sum of squares of the relative standard
-/// deviations of X, Y, Z over rotations of 8 lanes under E and D65 (with a small share of those of one
-/// lane). Relative sd under E with the result, and with the density cosh⁻²(0.0072 (λ − 538)):
+/// The visual density is Σ w (x̄, ȳ, z̄), broadened by a Gaussian of this standard deviation, plus a
+/// floor. Tuned by random search over the four numbers for the smallest sum of squares of the
+/// relative standard deviations of X, Y, Z over rotations of 8 lanes under E and D65 (with a small
+/// share of those of one lane). Relative sd under E with the result, and with the density
+/// cosh⁻²(0.0072 (λ − 538)):
 ///
 ///     lanes   X     Y     Z         X     Y     Z
 ///       1   .80   .96   1.31      1.00   .92   1.90
@@ -24,8 +25,8 @@ constexpr double kRange_nm = kLambdaMax_nm - kLambdaMin_nm;
 ///       8   .0165 .0123 .0170      .0205 .0028 .0994
 ///      16   .0044 .0022 .0038      .0031 .0004 .0157
 ///
-/// Broadening matters most: without it the best is .032 .018 .042 at 8 lanes, because x̄, ȳ, z̄ over a
-/// density that falls as steeply as they do have edges, which 8 strata resolve badly.
+/// Broadening matters most: without it the best is .032 .018 .042 at 8 lanes, because x̄, ȳ, z̄ over
+/// a density that falls as steeply as they do have edges, which 8 strata resolve badly.
 constexpr std::array<double, 3> kVisualWeights{0.41, 0.22, 0.37};
 constexpr double kVisualBlur_nm = 25.0;
 constexpr double kVisualFloor = 0.0225;
@@ -80,7 +81,8 @@ private:
 };
 
 /// `values` at whole nanometres, broadened; beyond the ends they count as zero.
-std::array<double, kCells + 1> broadened(const std::array<double, kCells + 1>& values, double sd_nm) {
+std::array<double, kCells + 1> broadened(const std::array<double, kCells + 1>& values,
+                                         double sd_nm) {
     const auto gauss = [sd_nm](int d) { return std::exp(-0.5 * d * d / (sd_nm * sd_nm)); };
     double total = 0.0;
     for (int d = -kCells; d <= kCells; ++d) total += gauss(d);
@@ -134,16 +136,22 @@ WavelengthPacket sample_wavelengths(WavelengthSampling sampling, int count, doub
         quantile[k] = turned < 1.0 ? turned : turned - 1.0;
     }
     switch (sampling) {
-        case WavelengthSampling::visual: fill_visual(packet, quantile); break;
-        case WavelengthSampling::uniform: fill_uniform(packet, quantile); break;
+        case WavelengthSampling::visual:
+            fill_visual(packet, quantile);
+            break;
+        case WavelengthSampling::uniform:
+            fill_uniform(packet, quantile);
+            break;
     }
     return packet;
 }
 
 double wavelength_pdf(WavelengthSampling sampling, double lambda_nm) {
     switch (sampling) {
-        case WavelengthSampling::visual: return visual_density().pdf(lambda_nm);
-        case WavelengthSampling::uniform: break;
+        case WavelengthSampling::visual:
+            return visual_density().pdf(lambda_nm);
+        case WavelengthSampling::uniform:
+            break;
     }
     const bool visible = lambda_nm >= kLambdaMin_nm && lambda_nm <= kLambdaMax_nm;
     return visible ? 1.0 / kRange_nm : 0.0;

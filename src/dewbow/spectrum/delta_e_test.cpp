@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "dewbow/spectrum/display.h"
+#include "dewbow/spectrum/lab.h"
+
+namespace dewbow {
+namespace {
+
+constexpr Colour<Xyz> kWhite{{0.95047, 1.0, 1.08883}};
+
+double inverse_lab_curve(double f) {
+    const double t = f * f * f;
+    return t > kLabBreak ? t : (f - 4.0 / 29.0) / kLabSlope;
+}
+
+Colour<Xyz> xyz_from_lab(double l, double a, double b) {
+    const double fy = (l + 16.0) / 116.0;
+    return {{kWhite[0] * inverse_lab_curve(fy + a / 500.0), kWhite[1] * inverse_lab_curve(fy),
+             kWhite[2] * inverse_lab_curve(fy - b / 200.0)}};
+}
+
+struct Pair {
+    double l1, a1, b1, l2, a2, b2, delta_e;
+};
+
+// Sharma, Wu & Dalal 2005, "The CIEDE2000 Color-Difference Formula", Table 1. Pairs 10 and 14 are
+// left out: their hues are opposite to the last bit, where the formula jumps and the way through
+// XYZ decides.
+constexpr Pair kPublished[] = {
+    {50.0, 2.6772, -79.7751, 50.0, 0.0, -82.7485, 2.0425},
+    {50.0, 3.1571, -77.2803, 50.0, 0.0, -82.7485, 2.8615},
+    {50.0, 2.8361, -74.0200, 50.0, 0.0, -82.7485, 3.4412},
+    {50.0, -1.3802, -84.2814, 50.0, 0.0, -82.7485, 1.0000},
+    {50.0, -1.1848, -84.8006, 50.0, 0.0, -82.7485, 1.0000},
+    {50.0, -0.9009, -85.5211, 50.0, 0.0, -82.7485, 1.0000},
+    {50.0, 0.0, 0.0, 50.0, -1.0, 2.0, 2.3669},
+    {50.0, -1.0, 2.0, 50.0, 0.0, 0.0, 2.3669},
+    {50.0, 2.4900, -0.0010, 50.0, -2.4900, 0.0009, 7.1792},
+    {50.0, 2.4900, -0.0010, 50.0, -2.4900, 0.0011, 7.2195},
+    {50.0, 2.4900, -0.0010, 50.0, -2.4900, 0.0012, 7.2195},
+    {50.0, -0.0010, 2.4900, 50.0, 0.0009, -2.4900, 4.8045},
+    {50.0, -0.0010, 2.4900, 50.0, 0.0011, -2.4900, 4.7461},
+    {50.0, 2.5, 0.0, 50.0, 0.0, -2.5, 4.3065},
+    {50.0, 2.5, 0.0, 73.0, 25.0, -18.0, 27.1492},
+    {50.0, 2.5, 0.0, 61.0, -5.0, 29.0, 22.8977},
+    {50.0, 2.5, 0.0, 56.0, -27.0, -3.0, 31.9030},
+    {50.0, 2.5, 0.0, 58.0, 24.0, 15.0, 19.4535},
+    {50.0, 2.5, 0.0, 50.0, 3.1736, 0.5854, 1.0000},
+    {50.0, 2.5, 0.0, 50.0, 3.2972, 0.0, 1.0000},
+    {50.0, 2.5, 0.0, 50.0, 1.8634, 0.5757, 1.0000},
+    {50.0, 2.5, 0.0, 50.0, 3.2592, 0.3350, 1.0000},
+    {60.2574, -34.0099, 36.2677, 60.4626, -34.1751, 39.4387, 1.2644},
+    {63.0109, -31.0961, -5.8663, 62.8187, -29.7946, -4.0864, 1.2630},
+    {61.2901, 3.7196, -5.3901, 61.4292, 2.2480, -4.9620, 1.8731},
+    {35.0831, -44.1164, 3.7933, 35.0232, -40.0716, 1.5901, 1.8645},
+    {22.7233, 20.0904, -46.6940, 23.0331, 14.9730, -42.5619, 2.0373},
+    {36.4612, 47.8580, 18.3852, 36.2715, 50.5065, 21.2231, 1.4146},
+    {90.8027, -2.0831, 1.4410, 91.1528, -1.6435, 0.0447, 1.4441},
+    {90.9257, -0.5406, -0.9208, 88.6381, -0.8985, -0.7239, 1.5381},
+    {6.7747, -0.2908, -2.4247, 5.8714, -0.0985, -2.2286, 0.6377},
+    {2.0776, 0.0795, -1.1350, 0.9033, -0.0636, -0.5514, 0.9082},
+};
+
+TEST(DeltaE2000, IsAsPublished) {
+    constexpr double kHalfLastDigit = 5.01e-5;
+    for (const Pair& p : kPublished) {
+        const auto first = xyz_from_lab(p.l1, p.a1, p.b1);
+        const auto second = xyz_from_lab(p.l2, p.a2, p.b2);
+        EXPECT_NEAR(delta_e_2000(first, second, kWhite), p.delta_e, kHalfLastDigit);
+        EXPECT_NEAR(delta_e_2000(second, first, kWhite), p.delta_e, kHalfLastDigit);
+    }
+}
+
+TEST(DeltaE2000, OfAColourFromItselfIsZero) {
+    EXPECT_EQ(delta_e_2000(kWhite, kWhite, kWhite), 0.0);
+    EXPECT_EQ(delta_e_2000({}, {}, kWhite), 0.0);
+}
+
+TEST(Lab, WhiteAndBlackEndTheScale) {
+    EXPECT_EQ(lab_from_xyz(kWhite, kWhite), (Colour<CieLab>{{100.0, 0.0, 0.0}}));
+    EXPECT_NEAR(lab_from_xyz({}, kWhite)[0], 0.0, 1e-14);
+}
+
+TEST(Lab, CurveIsSmoothWhereItsPartsMeet) {
+    constexpr double kStep = 1e-9;
+    EXPECT_NEAR(lab_curve(kLabBreak - kStep), lab_curve(kLabBreak + kStep), 20.0 * kStep);
+    EXPECT_NEAR(lab_curve_slope(kLabBreak - kStep), lab_curve_slope(kLabBreak + kStep), 1e-5);
+    constexpr double kMiddle = 0.2;
+    const double difference = (lab_curve(kMiddle + 1e-6) - lab_curve(kMiddle - 1e-6)) / 2e-6;
+    EXPECT_NEAR(lab_curve_slope(kMiddle), difference, 1e-9);
+}
+
+}  // namespace
+}  // namespace dewbow
