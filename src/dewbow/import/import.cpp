@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/import/import.h"
+
+#include "dewbow/import/extension.h"
+#include "dewbow/import/gltf/gltf.h"
+#include "dewbow/import/mesh/mesh_file.h"
+#include "dewbow/import/parsed_scene.h"
+#include "dewbow/import/toml/scene_toml.h"
+#include "dewbow/spectrum/cie.h"
+
+namespace dewbow {
+namespace {
+
+struct SceneFormat {
+    std::string extension;
+    ParsedScene (*load)(const std::filesystem::path&);
+};
+
+const std::vector<SceneFormat>& scene_formats() {
+    static const std::vector<SceneFormat> formats = {
+        {".toml", load_toml},      {".gltf", load_gltf},      {".glb", load_gltf},
+        {".obj", load_mesh_scene}, {".ply", load_mesh_scene},
+    };
+    return formats;
+}
+
+const SceneFormat& format_of(const std::filesystem::path& path) {
+    const std::string extension = extension_of(path);
+    for (const SceneFormat& format : scene_formats()) {
+        if (format.extension == extension) return format;
+    }
+    throw InputError({path.string(), 0, 0, {}},
+                     extension.empty() ? std::string("a scene file needs an extension")
+                                       : "\"" + extension + "\" is no scene format that is read",
+                     {}, "expected one of .toml, .gltf, .glb, .obj, .ply");
+}
+
+/// The studio as bright as suits the film's white.
+void add_studio(Scene& scene) {
+    auto studio = std::make_shared<ImageEnvironment>(*make_studio_environment());
+    studio->scale = scene.film.white_luminance / (kLuminousEfficacy * cie_y_integral());
+    scene.lights.push_back(std::shared_ptr<const ImageEnvironment>(studio));
+}
+
+void complete(ParsedScene& parsed) {
+    Scene& scene = parsed.scene;
+    if (!parsed.has_camera) {
+        scene.camera = frame_bounds(bounds_of(scene), double(scene.film.width) / scene.film.height);
+    }
+    if (!brings_light(scene)) add_studio(scene);
+}
+
+}  // namespace
+
+const std::vector<std::string>& scene_extensions() {
+    static const std::vector<std::string> extensions = [] {
+        std::vector<std::string> all;
+        for (const SceneFormat& format : scene_formats()) all.push_back(format.extension);
+        return all;
+    }();
+    return extensions;
+}
+
+ImportedScene load_scene(const std::filesystem::path& path) {
+    ParsedScene parsed = format_of(path).load(path);
+    complete(parsed);
+    validate(parsed.scene);
+    return {std::move(parsed.scene), std::move(parsed.diagnostics)};
+}
+
+}  // namespace dewbow

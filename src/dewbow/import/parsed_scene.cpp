@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/import/parsed_scene.h"
+
+#include <algorithm>
+
+namespace dewbow {
+namespace {
+
+constexpr Vec3 kMirrorX{-1.0, 1.0, 1.0};
+
+Vec3 mirrored(Vec3 v) { return {-v.x, v.y, v.z}; }
+
+std::shared_ptr<const Mesh> mirrored(const Mesh& mesh) {
+    auto result = std::make_shared<Mesh>(mesh);
+    for (Point<Object>& vertex : result->vertices) vertex.v = mirrored(vertex.v);
+    for (Normal<Object>& normal : result->normals) normal.v = mirrored(normal.v);
+    for (auto& triangle : result->triangles) std::swap(triangle[1], triangle[2]);
+    return result;
+}
+
+/// Which materials shapes show, through mixes too.
+std::vector<char> materials_in_use(const Scene& scene) {
+    std::vector<char> used(scene.materials.size(), 0);
+    std::vector<int> open;
+    const auto use = [&](int index) {
+        if (index < 0 || std::size_t(index) >= used.size() || used[std::size_t(index)]) return;
+        used[std::size_t(index)] = 1;
+        open.push_back(index);
+    };
+    for (const Shape& shape : scene.shapes) use(shape.material);
+    while (!open.empty()) {
+        const Material& material = scene.materials[std::size_t(open.back())];
+        open.pop_back();
+        if (const auto* mix = std::get_if<Mix>(&material.surface)) {
+            use(mix->first);
+            use(mix->second);
+        }
+    }
+    return used;
+}
+
+}  // namespace
+
+bool brings_light(const Scene& scene) {
+    if (!scene.lights.empty()) return true;
+    const std::vector<char> used = materials_in_use(scene);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (used[i] && scene.materials[i].emission) return true;
+    }
+    return false;
+}
+
+Shape Mirrors::upright(Shape shape) {
+    const Affine& affine = shape.world_from_object.affine();
+    if (affine.determinant() >= 0.0) return shape;
+    shape.world_from_object = Transform<World, Object>(affine * scaling(kMirrorX));
+    auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape.geometry);
+    if (!mesh) return shape;
+    std::shared_ptr<const Mesh>& copy = copies_[*mesh];
+    if (!copy) copy = mirrored(**mesh);
+    *mesh = copy;
+    return shape;
+}
+
+}  // namespace dewbow

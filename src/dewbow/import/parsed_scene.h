@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What one importer made of one file, before it is completed.
+
+#include <unordered_map>
+
+#include "dewbow/base/error.h"
+#include "dewbow/scene/scene.h"
+
+namespace dewbow {
+
+struct ParsedScene {
+    Scene scene;
+    Diagnostics diagnostics;
+    bool has_camera = false;
+};
+
+/// True if something in the scene gives off light.
+bool brings_light(const Scene& scene);
+
+/// Does away with mirror images, so that front faces are counter-clockwise in every frame.
+class Mirrors {
+public:
+    /// The same surface in the world, placed by a transform of positive determinant: a mirrored
+    /// mesh is mirrored itself, once for all shapes that share it, and its triangles are turned
+    /// round. Analytic shapes are symmetric in x.
+    Shape upright(Shape shape);
+
+private:
+    std::unordered_map<std::shared_ptr<const Mesh>, std::shared_ptr<const Mesh>> copies_;
+};
+
+}  // namespace dewbow

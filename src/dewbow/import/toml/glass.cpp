@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/import/toml/glass.h"
+
+#include <array>
+
+#include "dewbow/import/toml/spectra.h"
+#include "dewbow/optics/catalogue.h"
+#include "dewbow/spectrum/rgb.h"
+
+namespace dewbow::toml_import {
+namespace {
+
+constexpr Range kIndexRange{1.0, 10.0};
+constexpr Range kAbbeRange{1.0, 1e6};
+constexpr Range kTransmittanceRange{0.0, 1.0, true, false};
+
+const std::vector<std::string>& form_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const DispersionForm& form : dispersion_forms()) all.push_back(form.name);
+        return all;
+    }();
+    return names;
+}
+
+DispersionPtr glass_of(const TomlDocument& document, const TomlValue& value) {
+    const std::string& name = read_text(document, value, "glass");
+    // The very function that surrounds bodies by default, so that air in air bends nothing.
+    if (name == "air" || name == "fluid/air") return air();
+    if (name == "vacuum") return vacuum();
+    return at_place(document, value.place, [&] { return make_dispersion(find_glass(name).data); });
+}
+
+DispersionPtr formula_of(const TomlDocument& document, const TomlValue& value) {
+    static const std::array<std::string, 2> kReferences = {"air", "vacuum"};
+    Table table(document, value, "dispersion");
+    const std::size_t form = read_choice(document, table.require("form"), "form", form_names());
+    DispersionData data;
+    data.form = form_names()[form];
+    data.coefficients =
+        read_numbers(document, table.require("coefficients"), "coefficients", kCoordinateRange);
+    if (const TomlValue* reference = table.find("reference")) {
+        const std::size_t which = read_choice(document, *reference, "reference", kReferences);
+        data.reference = which == 0 ? IndexReference::air : IndexReference::vacuum;
+    }
+    table.finish();
+    return at_place(document, value.place, [&] { return make_dispersion(data); });
+}
+
+DispersionPtr number_of(Table& table, const TomlValue& value) {
+    const double ior = read_number(table.document(), value, "ior", kIndexRange);
+    const auto abbe = table.find_number("abbe", kAbbeRange);
+    if (ior == 1.0) return air();
+    const DispersionData data = abbe ? DispersionData{"abbe", {ior, *abbe}, IndexReference::air}
+                                     : DispersionData{"constant", {ior}, IndexReference::air};
+    return at_place(table.document(), value.place, [&] { return make_dispersion(data); });
+}
+
+SpectrumPtr read_absorption(Table& table) {
+    table.at_most_one_of({"absorption_per_m", "absorption_colour"});
+    const TomlDocument& document = table.document();
+    if (const TomlValue* spectrum = table.find("absorption_per_m")) {
+        return read_spectrum(document, *spectrum, "absorption_per_m", SpectrumUse::absorption);
+    }
+    const TomlValue* colour = table.find("absorption_colour");
+    if (!colour) return nullptr;
+    const Vec3 rgb = read_vec3(document, *colour, "absorption_colour", kTransmittanceRange);
+    return make_absorption({{rgb.x, rgb.y, rgb.z}}, table.require_length("absorption_depth"));
+}
+
+}  // namespace
+
+DispersionPtr read_index(Table& table) {
+    table.at_most_one_of({"glass", "dispersion", "ior"});
+    if (const TomlValue* value = table.find("glass")) return glass_of(table.document(), *value);
+    if (const TomlValue* value = table.find("dispersion"))
+        return formula_of(table.document(), *value);
+    if (const TomlValue* value = table.find("ior")) return number_of(table, *value);
+    table.fail_here("needs one of glass, dispersion, ior");
+}
+
+MediumPtr read_medium(Table& table, const std::string& name, int priority) {
+    auto medium = std::make_shared<Medium>();
+    medium->name = name;
+    medium->index = read_index(table);
+    medium->absorption = read_absorption(table);
+    medium->priority = priority;
+    return medium;
+}
+
+}  // namespace dewbow::toml_import

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What fills a body, as scene files write it: an index by `glass` (a name of the catalogue), by
+// `dispersion` (a formula) or by `ior` with `abbe`; and how it absorbs.
+
+#include "dewbow/import/toml/table.h"
+#include "dewbow/scene/medium.h"
+
+namespace dewbow::toml_import {
+
+/// Reads `glass` | `dispersion` | `ior` and `abbe`. Exactly one of the three must be there.
+DispersionPtr read_index(Table& table);
+
+/// read_index, and `absorption_per_m` or `absorption_colour` with `absorption_depth_*`.
+MediumPtr read_medium(Table& table, const std::string& name, int priority);
+
+}  // namespace dewbow::toml_import

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// [[imports]] tables: `file` (.gltf, .glb, .obj, .ply), `name`, where it stands (placement.h), and
+// [imports.materials]: its material's name = the name of a material of this file.
+
+#include <filesystem>
+#include <optional>
+
+#include "dewbow/import/toml/materials.h"
+
+namespace dewbow::toml_import {
+
+/// What an import brings that the scene file may refer to.
+struct Import {
+    std::string name;
+    std::optional<PerspectiveCamera> camera;
+    double white_luminance = 0.0;
+    bool lit = false;
+};
+
+/// Adds the imports of the array `imports` to `scene`. Files lie in `folder`. nullptr adds none.
+std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* imports,
+                                 const MaterialNames& names, const std::filesystem::path& folder,
+                                 Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace dewbow::toml_import

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// [[shapes]] tables: `type`, `material`, `name`, the sizes of the type, and where the shape stands
+// (placement.h, with look_at).
+//
+//     sphere  radius_*                 disc   radius_*               rectangle  width_* height_*
+//     box     width_* height_* depth_*        prism  apex_deg side_* length_*
+//     plane   (z = 0, without end)            mesh   file
+//
+// `*` is m, cm or mm.
+
+#include <filesystem>
+
+#include "dewbow/import/toml/materials.h"
+
+namespace dewbow::toml_import {
+
+/// Adds the shapes of the array `shapes` to `scene`. Meshes lie in `folder`. nullptr adds none.
+void read_shapes(const TomlDocument& document, const TomlValue* shapes, const MaterialNames& names,
+                 const std::filesystem::path& folder, Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace dewbow::toml_import
