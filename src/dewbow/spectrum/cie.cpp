@@ -56,7 +56,7 @@ std::array<double, 3> cie_xyz_bar(double lambda_nm) {
 
 Colour<Xyz> xyz_from_spectrum(const Spectrum& spectrum) {
     constexpr double kStep_nm = 0.5;
-    constexpr std::size_t kIntervals = 2 * kCells;
+    constexpr std::size_t kIntervals = 2 * std::size_t(kCells);
     std::array<double, kIntervals + 1> lambda_nm{}, value{};
     for (std::size_t i = 0; i <= kIntervals; ++i)
         lambda_nm[i] = kLambdaMin_nm + double(i) * kStep_nm;

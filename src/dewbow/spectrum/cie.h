@@ -3,6 +3,7 @@
 
 // The CIE 1931 2° standard observer.
 
+#include <array>
 #include <span>
 
 #include "dewbow/spectrum/colour.h"

@@ -4,14 +4,15 @@
 // Colours that carry their space.
 
 #include <array>
+#include <cstddef>
 
 namespace dewbow {
 
-struct Xyz {};          ///< CIE 1931 2°; Y of a spectral radiance is luminance / 683 lm W⁻¹ unless said
-struct LinearSrgb {};   ///< Rec.709 primaries, D65, linear
+struct Xyz {};  ///< CIE 1931 2°; Y of a spectral radiance is luminance / 683 lm W⁻¹ unless said
+struct LinearSrgb {};  ///< Rec.709 primaries, D65, linear
 struct LinearRec2020 {};
 struct LinearDisplayP3 {};
-struct AcesCg {};       ///< AP1 primaries, ACES white, linear
+struct AcesCg {};  ///< AP1 primaries, ACES white, linear
 
 template <class Space>
 struct Colour {
@@ -25,7 +26,9 @@ struct Colour {
     friend constexpr Colour operator-(Colour a, Colour b) {
         return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
     }
-    friend constexpr Colour operator*(Colour a, double s) { return {{a[0] * s, a[1] * s, a[2] * s}}; }
+    friend constexpr Colour operator*(Colour a, double s) {
+        return {{a[0] * s, a[1] * s, a[2] * s}};
+    }
     friend constexpr Colour operator*(double s, Colour a) { return a * s; }
     constexpr bool operator==(const Colour&) const = default;
 };

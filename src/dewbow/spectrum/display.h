@@ -3,6 +3,7 @@
 
 // From scene-linear XYZ to what a screen shows: exposure, white, gamut, transfer curve, dither.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,7 +22,8 @@ std::vector<std::string> gamut_mapping_names();
 /// Throws InputError with the nearest right word.
 GamutMapping gamut_mapping_from_name(std::string_view name);
 
-/// Maps `rgb` so that no channel is negative. Channels above 1 stay (they are the exposure's business).
+/// Maps `rgb` so that no channel is negative. Channels above 1 stay (they are the exposure's
+/// business).
 template <class Space>
 Colour<Space> map_gamut(Colour<Space> rgb, GamutMapping mapping);
 
@@ -36,9 +38,9 @@ struct DisplaySettings {
     GamutMapping gamut = GamutMapping::towards_white;
 };
 
-/// 8-bit sRGB of a pixel. Luminance above what the display has is compressed by channels' common scale
-/// only where needed: channels above 1 clip, after desaturating towards white at constant luminance as far
-/// as that keeps the luminance. Triangular dither of ±1 code value keyed by (x, y), the same each time.
+/// 8-bit sRGB of a pixel. A colour with a channel above 1 is desaturated towards white at constant
+/// luminance until it fits; where the luminance itself is above 1 it is white. Triangular dither of
+/// ±1 code value keyed by (x, y), the same each time; exact black and white are not dithered.
 /// @param xyz  scene-linear, Y = 1 is display white at exposure 0.
 std::array<std::uint8_t, 3> srgb8_from_xyz(Colour<Xyz> xyz, const DisplaySettings& settings, int x,
                                            int y);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A spectrum is a function of vacuum wavelength. What it is a function to (radiance, reflectance, an
-// absorption coefficient) is said by whoever holds it.
+// A spectrum is a function of vacuum wavelength. What it is a function to (radiance, reflectance,
+// an absorption coefficient) is said by whoever holds it.
 
 #include <memory>
 #include <span>
@@ -40,19 +40,20 @@ SpectrumPtr make_constant(double value);
 /// What a table says outside its first and last wavelength.
 enum class OutsideTable { zero, hold };
 
-/// Piecewise linear through (lambda_nm[i], values[i]); wavelengths strictly ascending, at least one.
-/// Throws InputError otherwise.
+/// Piecewise linear through (lambda_nm[i], values[i]); wavelengths strictly ascending, at least
+/// one. Throws InputError otherwise.
 SpectrumPtr make_tabulated(std::vector<double> lambda_nm, std::vector<double> values,
                            OutsideTable outside);
 
-/// Emission lines, each a box `width` wide (default 1 nm) whose integral over wavelength is `strength`.
+/// Emission lines, each a box `width` wide (default 1 nm) whose integral over wavelength is
+/// `strength`.
 struct Line {
     Wavelength centre;
     double strength = 0.0;
 };
 SpectrumPtr make_lines(std::vector<Line> lines, Wavelength width = 1.0 * unit::nm);
 
-/// `factor * spectrum`
+/// `factor * spectrum`, 0 <= factor.
 SpectrumPtr make_scaled(SpectrumPtr spectrum, double factor);
 
 }  // namespace dewbow

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The wavelengths that one path carries: a packet of lanes, stratified, jittered together and rotated
-// from sample to sample, so that its sum stays near white in each packet and is white on average.
+// The wavelengths that one path carries: a packet of lanes, stratified, jittered together and
+// rotated from sample to sample, so that its sum stays near white in each packet and is white on
+// average.
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 namespace dewbow {
