@@ -120,8 +120,7 @@ std::vector<Glass> glasses_from(std::string_view text) {
     return glasses;
 }
 
-// ---- names
-// ---------------------------------------------------------------------------------------
+// ---- names ----
 
 /// What of a name counts: letters in lower case, digits and the slash.
 std::string folded(std::string_view name) {

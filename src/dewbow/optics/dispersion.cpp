@@ -16,22 +16,42 @@ namespace {
 
 using Coefficients = std::vector<double>;
 
-// ---- one formula, many wavelengths
-// ---------------------------------------------------------------
+// ---- one formula, many wavelengths ----
 //
 // A formula is a struct with
-//     template <int N> void index(const double* lambda_um, double* n) const;
-// which fills n[0..N) by plain loops over arrays of fixed length, so that the compiler vectorises
-// them. The operations of a lane do not depend on N: one lane alone gives the same bits as among
-// many.
+//     template <class V> V index(V lambda_um) const;
+// that is written once for V = double and for V = Pair, two lanes in one register. (Loops over
+// short arrays do not do it: g++ 12 unrolls them and then vectorises the sum over the terms, which
+// was half as fast as scalar code.) A lane has the same operations in both, so that one alone has
+// the same bits as among many.
 
-/// Hands the wavelengths to `block`, called with an integral constant N, in blocks of 8, 4 and 1.
-template <class Block>
-void in_blocks(std::size_t count, Block block) {
+using Pair = double __attribute__((vector_size(16)));
+
+double each_lane(double v, auto function) { return function(v); }
+Pair each_lane(Pair v, auto function) { return Pair{function(v[0]), function(v[1])}; }
+
+template <class V>
+V square_root(V v) {
+    return each_lane(v, [](double x) { return std::sqrt(x); });
+}
+
+/// At least 1; a NaN (the root of a negative n²) becomes 1 as well.
+template <class V>
+V held(V n) {
+    return n > 1.0 ? n : V{} + 1.0;
+}
+
+/// n_out[i] = function(lambda_nm[i]), two at a time.
+void for_lanes(std::span<const double> lambda_nm, std::span<double> n_out, auto function) {
+    DEWBOW_CHECK(n_out.size() == lambda_nm.size(), "one index for each wavelength");
+    const std::size_t count = lambda_nm.size();
     std::size_t i = 0;
-    for (; i + 8 <= count; i += 8) block(std::integral_constant<int, 8>{}, i);
-    for (; i + 4 <= count; i += 4) block(std::integral_constant<int, 4>{}, i);
-    for (; i < count; ++i) block(std::integral_constant<int, 1>{}, i);
+    for (; i + 2 <= count; i += 2) {
+        const Pair n = function(Pair{lambda_nm[i], lambda_nm[i + 1]});
+        n_out[i] = n[0];
+        n_out[i + 1] = n[1];
+    }
+    if (i < count) n_out[i] = function(lambda_nm[i]);
 }
 
 template <class Formula>
@@ -40,22 +60,13 @@ public:
     explicit FormulaDispersion(const Formula& formula) : formula_(formula) {}
 
     /// What the formula gives, below 1 or not a number though it be.
-    double unheld(double lambda_nm) const {
-        const double lambda_um = 1e-3 * lambda_nm;
-        double n = 0.0;
-        formula_.template index<1>(&lambda_um, &n);
-        return n;
+    template <class V>
+    V unheld(V lambda_nm) const {
+        return formula_.index(1e-3 * lambda_nm);
     }
 
     void eval_lanes(std::span<const double> lambda_nm, std::span<double> n_out) const override {
-        DEWBOW_CHECK(n_out.size() == lambda_nm.size(), "one index for each wavelength");
-        in_blocks(lambda_nm.size(), [&](auto width, std::size_t first) {
-            constexpr int N = decltype(width)::value;
-            std::array<double, N> lambda_um, n;
-            for (int i = 0; i < N; ++i) lambda_um[i] = 1e-3 * lambda_nm[first + i];
-            formula_.template index<N>(lambda_um.data(), n.data());
-            for (int i = 0; i < N; ++i) n_out[first + i] = held(n[i]);
-        });
+        for_lanes(lambda_nm, n_out, [this](auto lambda) { return held(unheld(lambda)); });
     }
     bool is_constant() const override { return formula_.is_constant(); }
 
@@ -63,14 +74,10 @@ protected:
     double eval(double lambda_nm) const override { return held(unheld(lambda_nm)); }
 
 private:
-    /// At least 1; a NaN (the root of a negative n²) becomes 1 as well.
-    static double held(double n) { return n > 1.0 ? n : 1.0; }
-
     Formula formula_;
 };
 
-// ---- checks
-// --------------------------------------------------------------------------------------
+// ---- checks ----
 
 constexpr double kCheckedFrom_nm = 360.0, kCheckedTo_nm = 830.0;
 constexpr double kLeastIndex = 1.0, kMostIndex = 10.0;
@@ -90,14 +97,13 @@ DispersionPtr checked(const char* form, const Formula& formula) {
     return dispersion;
 }
 
-// ---- the formulas; x = λ², λ in µm
-// ---------------------------------------------------------------
+// ---- the formulas; x = λ², λ in µm ----
 
 struct Constant {
     double n = 1.0;
-    template <int N>
-    void index(const double*, double* n_out) const {
-        for (int i = 0; i < N; ++i) n_out[i] = n;
+    template <class V>
+    V index(V) const {
+        return V{} + n;
     }
     bool is_constant() const { return true; }
 };
@@ -112,14 +118,12 @@ struct Sellmeier {
     std::array<double, kMostTerms> B{}, C{};
     int terms = 0;
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        std::array<double, N> x, n2;
-        for (int i = 0; i < N; ++i) x[i] = lambda_um[i] * lambda_um[i];
-        for (int i = 0; i < N; ++i) n2[i] = 1.0;
-        for (int t = 0; t < terms; ++t)
-            for (int i = 0; i < N; ++i) n2[i] += B[t] * x[i] / (x[i] - C[t]);
-        for (int i = 0; i < N; ++i) n[i] = std::sqrt(n2[i]);
+    template <class V>
+    V index(V lambda_um) const {
+        const V x = lambda_um * lambda_um;
+        V n2 = V{} + 1.0;
+        for (int t = 0; t < terms; ++t) n2 += B[t] * x / (x - C[t]);
+        return square_root(n2);
     }
     bool is_constant() const { return false; }
 };
@@ -153,13 +157,12 @@ constexpr int kMostCauchy = 6;
 struct Cauchy {
     std::array<double, kMostCauchy> c{};
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        std::array<double, N> inverse_x;
-        for (int i = 0; i < N; ++i) inverse_x[i] = 1.0 / (lambda_um[i] * lambda_um[i]);
-        for (int i = 0; i < N; ++i) n[i] = c[kMostCauchy - 1];
-        for (int t = kMostCauchy - 2; t >= 0; --t)
-            for (int i = 0; i < N; ++i) n[i] = n[i] * inverse_x[i] + c[t];
+    template <class V>
+    V index(V lambda_um) const {
+        const V inverse_x = 1.0 / (lambda_um * lambda_um);
+        V n = V{} + c[kMostCauchy - 1];
+        for (int t = kMostCauchy - 2; t >= 0; --t) n = n * inverse_x + c[t];
+        return n;
     }
     bool is_constant() const {
         return std::all_of(c.begin() + 1, c.end(), [](double v) { return v == 0.0; });
@@ -202,16 +205,13 @@ struct PowerSeries {
     std::array<double, 3> rising{};                 ///< of 1, x, x²
     std::array<double, kMostPowers - 3> falling{};  ///< of 1/x, 1/x², …
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        std::array<double, N> x, inverse_x, sum;
-        for (int i = 0; i < N; ++i) x[i] = lambda_um[i] * lambda_um[i];
-        for (int i = 0; i < N; ++i) inverse_x[i] = 1.0 / x[i];
-        for (int i = 0; i < N; ++i) sum[i] = 0.0;
+    template <class V>
+    V index(V lambda_um) const {
+        const V x = lambda_um * lambda_um, inverse_x = 1.0 / x;
+        V sum{};
         for (int t = static_cast<int>(falling.size()) - 1; t >= 0; --t)
-            for (int i = 0; i < N; ++i) sum[i] = (sum[i] + falling[t]) * inverse_x[i];
-        for (int i = 0; i < N; ++i)
-            n[i] = std::sqrt(sum[i] + (rising[0] + x[i] * (rising[1] + x[i] * rising[2])));
+            sum = (sum + falling[t]) * inverse_x;
+        return square_root(sum + (rising[0] + x * (rising[1] + x * rising[2])));
     }
     bool is_constant() const { return false; }
 };
@@ -237,13 +237,10 @@ DispersionPtr make_extended_3(const Coefficients& c) {
 struct Herzberger {
     std::array<double, 6> c{};
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        for (int i = 0; i < N; ++i) {
-            const double x = lambda_um[i] * lambda_um[i];
-            const double L = 1.0 / (x - 0.028);
-            n[i] = c[0] + L * (c[1] + L * c[2]) + x * (c[3] + x * (c[4] + x * c[5]));
-        }
+    template <class V>
+    V index(V lambda_um) const {
+        const V x = lambda_um * lambda_um, L = 1.0 / (x - 0.028);
+        return c[0] + L * (c[1] + L * c[2]) + x * (c[3] + x * (c[4] + x * c[5]));
     }
     bool is_constant() const { return false; }
 };
@@ -259,12 +256,9 @@ DispersionPtr make_herzberger(const Coefficients& c) {
 struct Conrady {
     double n0 = 0.0, A = 0.0, B = 0.0;
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        for (int i = 0; i < N; ++i) {
-            const double l = lambda_um[i];
-            n[i] = n0 + A / l + B / (l * l * l * std::sqrt(l));
-        }
+    template <class V>
+    V index(V l) const {
+        return n0 + A / l + B / (l * l * l * square_root(l));
     }
     bool is_constant() const { return false; }
 };
@@ -277,12 +271,10 @@ DispersionPtr make_conrady(const Coefficients& c) {
 struct Handbook1 {
     double A = 0.0, B = 0.0, C = 0.0, D = 0.0;
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        for (int i = 0; i < N; ++i) {
-            const double x = lambda_um[i] * lambda_um[i];
-            n[i] = std::sqrt(A + B / (x - C) - D * x);
-        }
+    template <class V>
+    V index(V lambda_um) const {
+        const V x = lambda_um * lambda_um;
+        return square_root(A + B / (x - C) - D * x);
     }
     bool is_constant() const { return false; }
 };
@@ -299,14 +291,12 @@ struct Gas {
     std::array<double, kMostGasTerms> B{}, C{};
     int terms = 0;
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        std::array<double, N> inverse_x;
-        for (int i = 0; i < N; ++i) inverse_x[i] = 1.0 / (lambda_um[i] * lambda_um[i]);
-        for (int i = 0; i < N; ++i) n[i] = 0.0;
-        for (int t = 0; t < terms; ++t)
-            for (int i = 0; i < N; ++i) n[i] += B[t] / (C[t] - inverse_x[i]);
-        for (int i = 0; i < N; ++i) n[i] += 1.0;
+    template <class V>
+    V index(V lambda_um) const {
+        const V inverse_x = 1.0 / (lambda_um * lambda_um);
+        V sum{};
+        for (int t = 0; t < terms; ++t) sum += B[t] / (C[t] - inverse_x);
+        return 1.0 + sum;
     }
     bool is_constant() const { return false; }
 };
@@ -322,15 +312,16 @@ DispersionPtr make_gas(const Coefficients& c) {
     return checked("gas", formula);
 }
 
-// ---- tables
-// --------------------------------------------------------------------------------------
+// ---- tables ----
 
 /// Monotone cubic Hermite interpolation of n in w = 1/λ², where an index is nearly a straight line
 /// (Cauchy's first two terms), so that a table needs few rows: see kTableError in the test.
 ///
-/// Slopes are those of the parabola through three neighbours, limited to three times the smaller
-/// secant beside them and to 0 at an extremum, so that nothing overshoots. [Fritsch & Carlson 1980;
-/// Hyman 1983] Beyond its ends the table goes on along its last tangent.
+/// Slopes are those of the quartic through five neighbours, limited to three times the smaller
+/// secant beside them and to 0 at an extremum: nothing overshoots.   [Fritsch & Carlson 1980; Hyman
+/// 1983]
+///
+/// Beyond its ends the table goes on along its last tangent.
 struct Table {
     std::vector<double> w, n_at, slope;  ///< w falls as λ grows; kept with w rising
 
@@ -348,43 +339,52 @@ struct Table {
                h * t * u * (slope[i] * u - slope[i + 1] * t);
     }
 
-    template <int N>
-    void index(const double* lambda_um, double* n) const {
-        for (int i = 0; i < N; ++i) n[i] = at(1.0 / (lambda_um[i] * lambda_um[i]));
+    template <class V>
+    V index(V lambda_um) const {
+        return each_lane(1.0 / (lambda_um * lambda_um), [this](double w_at) { return at(w_at); });
     }
     bool is_constant() const {
         return std::all_of(n_at.begin(), n_at.end(), [&](double v) { return v == n_at[0]; });
     }
 };
 
-double limited_slope(double parabola, double secant_before, double secant_after) {
-    if (secant_before * secant_after <= 0.0) return 0.0;
-    const double most = 3.0 * std::min(std::abs(secant_before), std::abs(secant_after));
-    return std::clamp(parabola, -most, most);
+/// Derivative at w[i] of the polynomial through the rows first … first + count − 1, i among them,
+/// by barycentric weights v: p'(w_i) = Σ_j (v_j / v_i) (n_j − n_i) / (w_i − w_j).
+///                                                                    [Berrut & Trefethen 2004,
+///                                                                    §9.3]
+double polynomial_slope(const std::vector<double>& w, const std::vector<double>& n,
+                        std::size_t first, std::size_t count, std::size_t i) {
+    const auto inverse_weight = [&](std::size_t j) {
+        double product = 1.0;
+        for (std::size_t k = first; k < first + count; ++k)
+            if (k != j) product *= w[j] - w[k];
+        return product;
+    };
+    double slope = 0.0;
+    for (std::size_t j = first; j < first + count; ++j)
+        if (j != i) slope += inverse_weight(i) / inverse_weight(j) * (n[j] - n[i]) / (w[i] - w[j]);
+    return slope;
 }
 
-/// At an end: the parabola's tangent there, of the secant's sign and at most three times as steep.
-double end_slope(double secant, double next_secant, double h, double next_h) {
-    const double parabola = secant + (secant - next_secant) * h / (h + next_h);
-    if (parabola * secant <= 0.0) return 0.0;
-    return std::clamp(parabola, -3.0 * std::abs(secant), 3.0 * std::abs(secant));
+/// `slope`, if it has the sign of the secants on both sides, and not above three times the smaller:
+/// a cubic between such slopes is monotone.                                   [Fritsch & Carlson
+/// 1980]
+double limited_slope(double slope, double secant_before, double secant_after) {
+    if (secant_before * secant_after <= 0.0 || slope * secant_before <= 0.0) return 0.0;
+    const double most = 3.0 * std::min(std::abs(secant_before), std::abs(secant_after));
+    return std::clamp(slope, -most, most);
 }
 
 std::vector<double> monotone_slopes(const std::vector<double>& w, const std::vector<double>& n) {
-    const std::size_t segments = w.size() - 1;
-    std::vector<double> h(segments), secant(segments), slope(w.size());
-    for (std::size_t i = 0; i < segments; ++i) {
-        h[i] = w[i + 1] - w[i];
-        secant[i] = (n[i + 1] - n[i]) / h[i];
+    constexpr std::size_t kThrough = 5;  // rows that a slope is taken from: fourth order
+    const std::size_t rows = w.size(), through = std::min(kThrough, rows);
+    const auto secant = [&](std::size_t i) { return (n[i + 1] - n[i]) / (w[i + 1] - w[i]); };
+    std::vector<double> slope(rows);
+    for (std::size_t i = 0; i < rows; ++i) {
+        const std::size_t first = std::min(i - std::min(i, through / 2), rows - through);
+        slope[i] = limited_slope(polynomial_slope(w, n, first, through, i),
+                                 secant(i > 0 ? i - 1 : 0), secant(std::min(i, rows - 2)));
     }
-    if (segments == 1) return {secant[0], secant[0]};
-    for (std::size_t i = 1; i < segments; ++i) {
-        const double parabola = (h[i] * secant[i - 1] + h[i - 1] * secant[i]) / (h[i - 1] + h[i]);
-        slope[i] = limited_slope(parabola, secant[i - 1], secant[i]);
-    }
-    slope[0] = end_slope(secant[0], secant[1], h[0], h[1]);
-    slope[segments] =
-        end_slope(secant[segments - 1], secant[segments - 2], h[segments - 1], h[segments - 2]);
     return slope;
 }
 
@@ -408,8 +408,7 @@ DispersionPtr make_table(const Coefficients& c) {
     return checked("table", table);
 }
 
-// ---- against air
-// ---------------------------------------------------------------------------------
+// ---- against air ----
 
 /// An index that was measured against air, times that of air.
 class AgainstAir final : public Dispersion {
@@ -418,12 +417,13 @@ public:
 
     void eval_lanes(std::span<const double> lambda_nm, std::span<double> n_out) const override {
         relative_->eval_lanes(lambda_nm, n_out);
-        in_blocks(lambda_nm.size(), [&](auto width, std::size_t first) {
-            constexpr int N = decltype(width)::value;
-            std::array<double, N> n_air;
-            air_->eval_lanes(lambda_nm.subspan(first, N), n_air);
-            for (int i = 0; i < N; ++i) n_out[first + i] *= n_air[i];
-        });
+        constexpr std::size_t kBlock = 16;
+        std::array<double, kBlock> n_air;
+        for (std::size_t first = 0; first < lambda_nm.size(); first += kBlock) {
+            const std::size_t count = std::min(kBlock, lambda_nm.size() - first);
+            air_->eval_lanes(lambda_nm.subspan(first, count), {n_air.data(), count});
+            for (std::size_t i = 0; i < count; ++i) n_out[first + i] *= n_air[i];
+        }
     }
 
 protected:
@@ -442,8 +442,7 @@ DispersionPtr against_air(DispersionPtr relative) {
         Constant{(*relative)(kLined).value * (*air())(kLined).value});
 }
 
-// ---- the registry
-// --------------------------------------------------------------------------------
+// ---- the registry ----
 
 constexpr int kAnyNumber = std::numeric_limits<int>::max();
 

@@ -55,8 +55,7 @@ Coefficients example_of(const std::string& form) {
     return {};
 }
 
-// ---- every form
-// ----------------------------------------------------------------------------------
+// ---- every form ----
 
 TEST(DispersionForms, AreAllBuiltFromTheRegistry) {
     for (const auto& form : dispersion_forms()) {
@@ -72,8 +71,7 @@ TEST(DispersionForms, AreAllBuiltFromTheRegistry) {
 
 TEST(DispersionForms, GiveLanesTheSameBits) {
     std::vector<double> lambda_nm;
-    for (double l = 361.5; l < 830.0; l += 37.3)
-        lambda_nm.push_back(l);  // 13: blocks of 8, 4 and 1
+    for (double l = 361.5; l < 830.0; l += 37.3) lambda_nm.push_back(l);  // 13: pairs and one
     ASSERT_EQ(lambda_nm.size(), 13u);
     for (const auto& form : dispersion_forms())
         for (auto reference : {IndexReference::vacuum, IndexReference::air}) {
@@ -116,8 +114,7 @@ TEST(DispersionForms, HoldTheIndexAtOne) {
     for (double v : n) EXPECT_EQ(v, 1.0);
 }
 
-// ---- published values
-// ----------------------------------------------------------------------------
+// ---- published values ----
 
 // SCHOTT's data sheet of N-BK7 (2014): n to five decimals, V_d to two.
 constexpr double kSheetIndex = 5e-6, kSheetAbbe = 0.005;
@@ -161,7 +158,7 @@ TEST(Air, EqualsNistsCiddor) {
     EXPECT_NEAR(index(air(), 633.0), kNistAir, kNistRounding);
     // And the factor from 15 °C: 1.00027717 at d there [Ciddor 1996, as refractiveindex.info prints
     // it].
-    EXPECT_NEAR((index(air(), 587.5618) - 1.0) / 0.00027717, 0.98289, 2e-5);
+    EXPECT_NEAR((index(air(), 587.5618) - 1.0) / 0.00027717, 0.98289, 3e-5);
 }
 
 TEST(Vacuum, IsOne) {
@@ -170,8 +167,7 @@ TEST(Vacuum, IsOne) {
     EXPECT_TRUE(std::isinf(abbe_number(*vacuum(), *vacuum())));
 }
 
-// ---- abbe
-// ----------------------------------------------------------------------------------------
+// ---- abbe ----
 
 TEST(Abbe, PassesThroughItsNumbers) {
     for (double n_d : {1.3, 1.5168, 2.4}) {
@@ -204,8 +200,7 @@ TEST(Abbe, IsNotAGlass) {
     EXPECT_NEAR(index(sf11, 400.0) - index(two, 400.0), 7e-3, 1e-3);
 }
 
-// ---- table
-// ---------------------------------------------------------------------------------------
+// ---- table ----
 
 Coefficients tabulated(const DispersionPtr& dispersion, double from_nm, double to_nm,
                        double step_nm) {
@@ -226,15 +221,15 @@ double worst_table_error(const Coefficients& glass, double step_nm) {
     return worst;
 }
 
-// A table of 20 nm steps is to be as good as the fifth decimal. [measured: N-BK7 MEASURE_B, SF11
-// MEASURE_S]
+// A table of 20 nm steps is to be as good as the fifth decimal. [measured: N-BK7 3.8e-8,
+// SF11 7.7e-7, SF66 2.3e-6]
 constexpr double kTableError = 1e-5;
 
 TEST(Table, FollowsAGlassFromTwentyNanometreSteps) {
     EXPECT_LE(worst_table_error(kBk7, 20.0), kTableError);
     EXPECT_LE(worst_table_error(kSf11, 20.0), kTableError);
-    // Third order or better: half the step, a sixth of the error or less.
-    EXPECT_LE(worst_table_error(kSf11, 10.0), worst_table_error(kSf11, 20.0) / 6.0);
+    // Fourth order: half the step, a sixteenth of the error, measured an eighteenth.
+    EXPECT_LE(worst_table_error(kSf11, 10.0), worst_table_error(kSf11, 20.0) / 12.0);
 }
 
 TEST(Table, PassesThroughItsRows) {
@@ -262,8 +257,7 @@ TEST(Table, GoesOnAsCauchyBeyondItsEnds) {
         EXPECT_NEAR(index(two_rows, l), A + B / (1e-6 * l * l), 1e-14) << l;
 }
 
-// ---- what is refused
-// -----------------------------------------------------------------------------
+// ---- what is refused ----
 
 TEST(MakeDispersion, RefusesWhatIsNoGlass) {
     expect_refused("selmeier", kBk7, "did you mean \"sellmeier\"?");

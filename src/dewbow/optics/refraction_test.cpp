@@ -44,8 +44,7 @@ bool is_total(double cos_i, double n) {
     return s >= static_cast<long double>(n);
 }
 
-// ---- energy
-// --------------------------------------------------------------------------------------
+// ---- energy ----
 
 /// Worst |R + T − 1|, weighted by q = n cos_t where that is below 1: an ulp in the cosine given is
 /// 1/q ulp in q, and so in R, whatever the formula.
@@ -94,8 +93,7 @@ TEST(FresnelDielectric, IsNotSchlick) {
     EXPECT_LT(most, 0.08);
 }
 
-// ---- reciprocity
-// ---------------------------------------------------------------------------------
+// ---- reciprocity ----
 
 // cos_t carries 1 ulp in, and R moves by 1/cos_t² times that: within the margin, 1e3 ulp.
 // [measured 1.1e-13]
@@ -121,8 +119,7 @@ TEST(FresnelDielectric, ReflectsAlikeFromBothSides) {
     EXPECT_GT(compared, kRandomCases / 2);
 }
 
-// ---- closed forms
-// --------------------------------------------------------------------------------
+// ---- closed forms ----
 
 constexpr double kUlps = 4 * std::numeric_limits<double>::epsilon();
 
@@ -177,8 +174,7 @@ TEST(FresnelDielectric, ReflectsAllAtGrazingIncidence) {
     }
 }
 
-// ---- everywhere
-// ----------------------------------------------------------------------------------
+// ---- everywhere ----
 
 template <class T>
 void expect_reflectance(T value, T cos_i, T n) {
@@ -228,8 +224,7 @@ TEST(Fresnel, IsAReflectanceEverywhere) {
     expect_reflectances_everywhere<double>();
 }
 
-// ---- float against double, double against long double, where it is hard
-// ----------------------------
+// ---- float against double, double against long double, where it is hard ----
 
 /// R_perpendicular in long double, from the difference that cancels least: 64 bits against the 53
 /// tested.
@@ -301,8 +296,7 @@ TEST(Cos2Transmitted, IsPreciseForAMuchRarerMedium) {
         }
 }
 
-// ---- metals
-// --------------------------------------------------------------------------------------
+// ---- metals ----
 
 // At 589.3 nm; reflectance in whole per cent. [Born & Wolf, Principles of Optics, 7th ed.,
 // table 14.1]
@@ -362,8 +356,7 @@ TEST(FresnelConductor, IsADielectricWithoutAbsorption) {
     }
 }
 
-// ---- angles
-// --------------------------------------------------------------------------------------
+// ---- angles ----
 
 constexpr double kAngleError_rad = 1e-15;
 
@@ -402,7 +395,7 @@ TEST(BrewsterAngle, IsWhereReflectedAndRefractedRaysAreAtRightAngles) {
     }
 }
 
-// ---- a prism, traced ---------------------------------------------------------------------------
+// ---- a prism, traced ----
 
 struct Ray2 {
     double x, y;
