@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What the command line asks for, as plain values.
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "dewbow/base/progress.h"
+#include "dewbow/render/film.h"
+#include "dewbow/spectrum/display.h"
+#include "dewbow/spectrum/wavelengths.h"
+
+namespace dewbow {
+
+struct PictureSize {
+    int width = 0, height = 0;
+};
+
+/// `--pixel X,Y --sample K`: one sample is computed again and shown.
+struct Replay {
+    int x = 0, y = 0;
+    std::int64_t sample = 0;
+};
+
+/// `dewbow render`. What is not set is as the scene says.
+struct RenderCommand {
+    std::string scene_file;
+    std::vector<std::string> outputs;  ///< empty: the scene's stem with .exr and .png
+    std::optional<PictureSize> size;
+    std::optional<int> samples_per_pixel;
+    std::optional<std::chrono::duration<double>> time_limit;
+    std::optional<double> noise_target;
+    std::optional<PixelRect> crop;
+    int threads = 0;  ///< 0 = all
+    std::optional<std::uint64_t> seed;
+    std::optional<int> packet;
+    std::optional<double> exposure_stops;
+    GamutMapping gamut = DisplaySettings{}.gamut;
+    std::optional<int> spectral_bins;
+    std::optional<int> max_depth;
+    std::optional<WavelengthSampling> wavelengths;
+    std::string estimator;
+    std::optional<Replay> replay;
+    ProgressStyle progress = ProgressStyle::automatic;
+    bool quiet = false;
+    bool json = false;
+};
+
+struct GlassListCommand {
+    bool json = false;
+};
+
+struct GlassShowCommand {
+    std::string name;
+    std::vector<double> at_nm;
+    bool json = false;
+};
+
+/// Help or version: to be printed, and that is all.
+struct ShowText {
+    std::string text;
+};
+
+using Command = std::variant<ShowText, RenderCommand, GlassListCommand, GlassShowCommand>;
+
+/// Throws UsageError.
+Command parse_command_line(int argc, const char* const* argv);
+
+// Each subcommand returns the program's exit code.
+int run_render(const RenderCommand& command);
+int run_glass_list(const GlassListCommand& command);
+int run_glass_show(const GlassShowCommand& command);
+
+// Exit codes; interrupted programs return 128 + the signal's number.
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kUsedWrongly = 2;
+inline constexpr int kTooManyInvalid = 3;
+
+}  // namespace dewbow

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+
+#include "command.h"
+#include "dewbow/base/error.h"
+#include "dewbow/import/import.h"
+#include "dewbow/render/estimator.h"
+#include "dewbow/render/output.h"
+#include "option_value.h"
+
+// All values arrive here as text: what a number must be is said by option_value.h in our words, and
+// read without locale.
+
+namespace dewbow {
+
+namespace {
+
+constexpr int kMaxSamplesPerPixel = 1 << 24;
+constexpr int kMaxThreads = 1024;
+constexpr int kMaxSpectralBins = 940;
+constexpr int kMaxDepth = 100000;
+constexpr double kSmallestNoise = 1e-6;
+constexpr double kMostExposureStops = 64.0;
+/// Beyond this glass catalogues say nothing.
+constexpr double kShortest_nm = 200.0, kLongest_nm = 3000.0;
+
+constexpr std::string_view kExamples = R"(Examples:
+  dewbow render examples/prism.toml                   write prism.exr and prism.png
+  dewbow render ring.glb -o ring.png --time 2m        as good as two minutes make it
+  dewbow glass show N-SF11                            the index of a glass
+`dewbow SUBCOMMAND --help` tells more.)";
+
+constexpr std::string_view kRenderExamples = R"(Examples:
+  dewbow render prism.toml                            write prism.exr and prism.png
+  dewbow render ring.glb -o ring.exr --spp 256 --size 1920x1080
+  dewbow render ring.glb -o ring.png --time 2m --exposure 0.5
+  dewbow render prism.toml --noise 0.01 --json        stop at 1 % noise; tell a program
+  dewbow render prism.toml --crop 100,50,64x64        a part, with the very pixels of the whole
+  dewbow render prism.toml --pixel 12,7 --sample 3    what one path brought home
+
+Exit codes: 0 done, 1 failed, 2 used wrongly, 3 done but more than one sample in a million was
+invalid, 130 or 143 interrupted (what was rendered so far is written).)";
+
+constexpr std::string_view kGlassExamples = R"(Examples:
+  dewbow glass list
+  dewbow glass show N-BK7
+  dewbow glass show diamond --at 400 --at 700 --json)";
+
+/// "a|b|c"
+std::string alternatives(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
+    return text;
+}
+
+std::vector<std::string> estimator_names() {
+    std::vector<std::string> names;
+    for (const EstimatorRow& row : estimators()) names.push_back(row.name);
+    return names;
+}
+
+std::string endings(const std::vector<std::string>& extensions) {
+    std::string text;
+    for (const std::string& extension : extensions) text += (text.empty() ? "" : ", ") + extension;
+    return text;
+}
+
+const std::vector<std::string> kProgressNames{"auto", "bar", "plain", "json", "none"};
+const std::vector<std::string> kWavelengthNames{"visual", "uniform"};
+const std::vector<std::string> kPacketNames{"1", "4", "8", "16"};
+
+/// Every option's text as it was given; an option that was not is absent.
+struct RenderTexts {
+    std::vector<std::string> outputs;
+    std::optional<std::string> scene, size, spp, time, noise, crop, threads, seed, packet, exposure,
+        gamut, spectral_bins, max_depth, wavelengths, estimator, pixel, sample, progress;
+    bool quiet = false, json = false;
+};
+
+/// One command line's parser.
+class Parser {
+public:
+    Parser() : app_("A spectral renderer with a rainbow engine.", "dewbow") {
+        app_.set_version_flag("--version", "dewbow " DEWBOW_VERSION, "Show the version and end");
+        app_.footer(std::string(kExamples));
+        app_.allow_extras();
+        add_render();
+        add_glass();
+    }
+
+    Command parse(int argc, const char* const* argv) {
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::CallForVersion& version) {
+            return ShowText{std::string(version.what()) + "\n"};
+        } catch (const CLI::Success&) {
+            return ShowText{deepest(app_).help()};
+        } catch (const CLI::ParseError& error) {
+            refuse_extras();  // the cause, where an option is not known
+            throw UsageError(error.what(), help_hint());
+        }
+        refuse_extras();
+        if (render_->parsed()) return render_command();
+        if (glass_list_->parsed()) return glass_list_command_;
+        if (glass_show_->parsed()) return glass_show_command();
+        throw UsageError("a subcommand is missing", help_hint());
+    }
+
+private:
+    static CLI::Option* text_option(CLI::App& app, const std::string& name,
+                                    std::optional<std::string>& text, const std::string& what,
+                                    const std::string& form) {
+        return app.add_option(name, text, what)->type_name(form);
+    }
+
+    void add_render() {
+        render_ = app_.add_subcommand("render", "Render a scene to pictures");
+        render_->allow_extras();
+        render_->footer(std::string(kRenderExamples));
+        RenderTexts& t = render_texts_;
+        text_option(*render_, "scene", t.scene, "The scene (" + endings(scene_extensions()) + ")",
+                    "FILE");
+        render_
+            ->add_option("-o,--output", t.outputs,
+                         "A picture to write (" + endings(picture_extensions()) +
+                             "); repeatable. Default: the scene's name with both endings, in the "
+                             "current folder")
+            ->type_name("FILE")
+            ->allow_extra_args(false);
+        const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
+                             const std::string& form) {
+            text_option(*render_, name, text, what, form);
+        };
+        add("--size", t.size, "Size of the picture in pixels", "WxH");
+        add("--spp", t.spp, "Samples per pixel. With --time or --noise: as many as these allow",
+            "N");
+        add("--time", t.time, "Stop at the end of the pass in which this time is over",
+            "30s|2m|1h");
+        add("--noise", t.noise, "Stop when the picture's relative noise is below this", "0.01");
+        add("--crop", t.crop, "Render only this part of the picture", "X,Y,WxH");
+        add("--threads", t.threads, "Threads to use. Default: all", "N");
+        add("--seed", t.seed, "Seed of the random numbers", "N");
+        add("--packet", t.packet, "Wavelengths that one path carries", alternatives(kPacketNames));
+        add("--exposure", t.exposure, "Exposure of PNG pictures", "STOPS");
+        add("--gamut", t.gamut, "How PNG pictures show colours that a screen does not have",
+            alternatives(gamut_mapping_names()));
+        add("--spectral-bins", t.spectral_bins, "Wavelength bins to write into EXR pictures", "N");
+        add("--max-depth", t.max_depth, "Most surfaces that a path meets", "N");
+        add("--wavelengths", t.wavelengths, "How wavelengths are spread over 360-830 nm",
+            alternatives(kWavelengthNames));
+        add("--estimator", t.estimator, "What computes the picture",
+            alternatives(estimator_names()));
+        add("--pixel", t.pixel, "With --sample: compute one sample, show it, write nothing", "X,Y");
+        add("--sample", t.sample, "The sample's number, from 0", "K");
+        render_->add_flag("-q,--quiet", t.quiet, "Say nothing but warnings and errors");
+        render_->add_flag("--json", t.json, "Print one JSON object on standard output at the end");
+        add("--progress", t.progress, "How progress is shown on standard error",
+            alternatives(kProgressNames));
+    }
+
+    void add_glass() {
+        glass_ = app_.add_subcommand("glass", "Glasses, gems and fluids: list them, show one");
+        glass_->allow_extras();
+        glass_->footer(std::string(kGlassExamples));
+        glass_list_ = glass_->add_subcommand("list", "List all names");
+        glass_list_->allow_extras();
+        glass_list_->add_flag("--json", glass_list_command_.json, "Print JSON");
+        glass_show_ = glass_->add_subcommand("show", "Show the index of one");
+        glass_show_->allow_extras();
+        glass_show_->footer(std::string(kGlassExamples));
+        text_option(*glass_show_, "name", glass_name_,
+                    "Name; the maker may be left out where the rest is unique", "NAME");
+        glass_show_->add_option("--at", glass_at_, "Show the index at this wavelength; repeatable")
+            ->type_name("NM")
+            ->allow_extra_args(false);
+        glass_show_->add_flag("--json", glass_show_json_, "Print JSON");
+    }
+
+    static const CLI::App& deepest(const CLI::App& app) {
+        const auto parsed = app.get_subcommands();
+        return parsed.empty() ? app : deepest(*parsed.front());
+    }
+
+    std::string help_hint() const {
+        std::string command;
+        for (const CLI::App* app = &deepest(app_); app; app = app->get_parent())
+            command = app->get_name() + (command.empty() ? "" : " " + command);
+        return "`" + command + " --help` tells how it is used";
+    }
+
+    /// Words that no option and no place takes: the first of them is the mistake.
+    void refuse_extras() const {
+        const CLI::App& app = deepest(app_);
+        std::vector<std::string> extras = app_.remaining(true);
+        std::erase(extras, "--");
+        if (extras.empty()) return;
+        const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& word) {
+            return word.starts_with("-");
+        });
+        if (option != extras.end()) refuse_option(app, option->substr(0, option->find('=')));
+        refuse_word(app, extras.front());
+    }
+
+    [[noreturn]] void refuse_option(const CLI::App& app, const std::string& word) const {
+        std::vector<std::string> names;
+        for (const CLI::Option* option : app.get_options()) {
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        }
+        const std::string nearest = nearest_word(word, names);
+        throw UsageError("unknown option " + word,
+                         nearest.empty() ? help_hint() : "did you mean " + nearest + "?");
+    }
+
+    [[noreturn]] void refuse_word(const CLI::App& app, const std::string& word) const {
+        std::vector<std::string> names;
+        for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+            names.push_back(sub->get_name());
+        if (names.empty()) throw UsageError("one word too many: \"" + word + "\"", help_hint());
+        throw UsageError("unknown subcommand \"" + word + "\"", hint_for(word, names));
+    }
+
+    RenderCommand render_command() const {
+        const RenderTexts& t = render_texts_;
+        if (!t.scene || t.scene->empty()) throw UsageError("the scene is missing", help_hint());
+        RenderCommand command;
+        command.scene_file = *t.scene;
+        command.outputs = t.outputs;
+        command.quiet = t.quiet;
+        command.json = t.json;
+        if (t.size) command.size = parse_size("--size", *t.size);
+        if (t.crop) command.crop = parse_crop("--crop", *t.crop);
+        read_effort(command);
+        read_sampling(command);
+        read_display(command);
+        read_replay(command);
+        if (t.estimator)
+            command.estimator =
+                estimator_names()[parse_word("--estimator", *t.estimator, estimator_names())];
+        return command;
+    }
+
+    void read_effort(RenderCommand& command) const {
+        const RenderTexts& t = render_texts_;
+        if (t.time) command.time_limit = parse_duration("--time", *t.time);
+        if (t.noise) command.noise_target = parse_real("--noise", *t.noise, kSmallestNoise, 1.0);
+        if (t.spp)
+            command.samples_per_pixel =
+                static_cast<int>(parse_integer("--spp", *t.spp, 1, kMaxSamplesPerPixel));
+        else if (t.time || t.noise)
+            command.samples_per_pixel = kMaxSamplesPerPixel;
+        if (t.threads)
+            command.threads =
+                static_cast<int>(parse_integer("--threads", *t.threads, 1, kMaxThreads));
+        if (t.progress) {
+            constexpr ProgressStyle kStyles[] = {ProgressStyle::automatic, ProgressStyle::bar,
+                                                 ProgressStyle::plain, ProgressStyle::json,
+                                                 ProgressStyle::none};
+            command.progress = kStyles[parse_word("--progress", *t.progress, kProgressNames)];
+        }
+        if (command.quiet) command.progress = ProgressStyle::none;
+    }
+
+    void read_sampling(RenderCommand& command) const {
+        const RenderTexts& t = render_texts_;
+        if (t.seed) command.seed = parse_seed("--seed", *t.seed);
+        if (t.packet) {
+            constexpr int kPackets[] = {1, 4, 8, 16};
+            command.packet = kPackets[parse_word("--packet", *t.packet, kPacketNames)];
+        }
+        if (t.wavelengths) {
+            constexpr WavelengthSampling kWays[] = {WavelengthSampling::visual,
+                                                    WavelengthSampling::uniform};
+            command.wavelengths =
+                kWays[parse_word("--wavelengths", *t.wavelengths, kWavelengthNames)];
+        }
+        if (t.max_depth)
+            command.max_depth =
+                static_cast<int>(parse_integer("--max-depth", *t.max_depth, 0, kMaxDepth));
+        if (t.spectral_bins)
+            command.spectral_bins = static_cast<int>(
+                parse_integer("--spectral-bins", *t.spectral_bins, 0, kMaxSpectralBins));
+    }
+
+    void read_display(RenderCommand& command) const {
+        const RenderTexts& t = render_texts_;
+        if (t.exposure)
+            command.exposure_stops =
+                parse_real("--exposure", *t.exposure, -kMostExposureStops, kMostExposureStops);
+        if (!t.gamut) return;
+        parse_word("--gamut", *t.gamut, gamut_mapping_names());
+        command.gamut = gamut_mapping_from_name(*t.gamut);
+    }
+
+    void read_replay(RenderCommand& command) const {
+        const RenderTexts& t = render_texts_;
+        if (t.pixel.has_value() != t.sample.has_value())
+            throw UsageError("--pixel and --sample belong together");
+        if (!t.pixel) return;
+        const PixelPlace place = parse_pixel("--pixel", *t.pixel);
+        command.replay = Replay{place.x, place.y,
+                                parse_integer("--sample", *t.sample, 0, kMaxSamplesPerPixel - 1)};
+    }
+
+    GlassShowCommand glass_show_command() const {
+        if (!glass_name_ || glass_name_->empty())
+            throw UsageError("the name is missing", "`dewbow glass list` shows all");
+        GlassShowCommand command{*glass_name_, {}, glass_show_json_};
+        for (const std::string& text : glass_at_)
+            command.at_nm.push_back(parse_real("--at", text, kShortest_nm, kLongest_nm));
+        return command;
+    }
+
+    CLI::App app_;
+    CLI::App *render_ = nullptr, *glass_ = nullptr, *glass_list_ = nullptr, *glass_show_ = nullptr;
+    RenderTexts render_texts_;
+    GlassListCommand glass_list_command_;
+    std::optional<std::string> glass_name_;
+    std::vector<std::string> glass_at_;
+    bool glass_show_json_ = false;
+};
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) { return Parser().parse(argc, argv); }
+
+}  // namespace dewbow

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The values of options, from text. Each throws UsageError, which names the option, the text and
+// what it must be: "--spp is 0; it must be 1 to 16777216".
+
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "command.h"
+
+namespace dewbow {
+
+std::int64_t parse_integer(std::string_view option, std::string_view text, std::int64_t low,
+                           std::int64_t high);
+std::uint64_t parse_seed(std::string_view option, std::string_view text);
+double parse_real(std::string_view option, std::string_view text, double low, double high);
+
+/// "1920x1080"
+PictureSize parse_size(std::string_view option, std::string_view text);
+/// "X,Y,WxH"
+PixelRect parse_crop(std::string_view option, std::string_view text);
+/// "X,Y"
+struct PixelPlace {
+    int x = 0, y = 0;
+};
+PixelPlace parse_pixel(std::string_view option, std::string_view text);
+/// "30s", "1.5m", "2h"; a number alone is seconds.
+std::chrono::duration<double> parse_duration(std::string_view option, std::string_view text);
+
+/// The index of `text` in `words`.
+std::size_t parse_word(std::string_view option, std::string_view text,
+                       std::span<const std::string> words);
+
+}  // namespace dewbow

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "command.h"
+#include "console.h"
+#include "dewbow/base/check.h"
+#include "dewbow/base/error.h"
+#include "dewbow/base/parallel.h"
+#include "dewbow/import/import.h"
+#include "dewbow/render/output.h"
+#include "dewbow/render/session.h"
+#include "interrupt.h"
+#include "memory.h"
+
+namespace dewbow {
+
+namespace {
+
+/// The share of invalid samples above which a picture is not to be trusted.
+constexpr double kAllowedInvalidShare = 1e-6;
+
+std::vector<std::filesystem::path> output_paths(const RenderCommand& command) {
+    if (!command.outputs.empty()) return {command.outputs.begin(), command.outputs.end()};
+    const std::filesystem::path stem = std::filesystem::path(command.scene_file).stem();
+    std::vector<std::filesystem::path> paths;
+    for (const std::string& extension : picture_extensions())
+        paths.push_back(stem.string() + extension);
+    return paths;
+}
+
+/// The command that replays a sample, but for --pixel, --sample and --seed: all that a sample
+/// depends on.
+std::string replay_command(const RenderCommand& command) {
+    std::string text = "dewbow render " + shell_quoted(command.scene_file);
+    if (command.size)
+        text += fmt::format(" --size {}x{}", command.size->width, command.size->height);
+    if (command.packet) text += fmt::format(" --packet {}", *command.packet);
+    if (command.max_depth) text += fmt::format(" --max-depth {}", *command.max_depth);
+    if (command.wavelengths)
+        text += *command.wavelengths == WavelengthSampling::visual ? " --wavelengths visual"
+                                                                   : " --wavelengths uniform";
+    if (!command.estimator.empty()) text += " --estimator " + command.estimator;
+    return text;
+}
+
+/// Makes the scene what the options say.
+void apply_options(const RenderCommand& command, Scene& scene) {
+    const auto set = [](auto& value, const auto& wish) {
+        if (wish) value = *wish;
+    };
+    if (command.size) {
+        scene.film.width = command.size->width;
+        scene.film.height = command.size->height;
+    }
+    set(scene.film.exposure_stops, command.exposure_stops);
+    set(scene.film.spectral_bins, command.spectral_bins);
+    set(scene.render.samples_per_pixel, command.samples_per_pixel);
+    set(scene.render.seed, command.seed);
+    set(scene.render.packet, command.packet);
+    set(scene.render.max_depth, command.max_depth);
+    set(scene.render.wavelengths, command.wavelengths);
+}
+
+void print_diagnostics(const Diagnostics& diagnostics) {
+    std::set<std::string> printed;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        const std::string place = to_string(diagnostic.place);
+        const std::string line =
+            "warning: " + (place.empty() ? "" : place + ": ") + diagnostic.text;
+        if (printed.insert(line).second) print_message(line);
+    }
+}
+
+Scene load(const RenderCommand& command) {
+    ImportedScene imported = load_scene(command.scene_file);
+    print_diagnostics(imported.diagnostics);
+    apply_options(command, imported.scene);
+    return std::move(imported.scene);
+}
+
+std::unique_ptr<Estimator> make_estimator(const RenderCommand& command, const Scene& scene) {
+    for (const EstimatorRow& row : estimators())
+        if (command.estimator.empty() || row.name == command.estimator) return row.make(scene);
+    throw InputError("this program was built without estimators");
+}
+
+/// Film and estimator for the part of the picture that `options` name, after a look at the memory.
+struct Work {
+    Work(const RenderCommand& command, const Scene& scene, const SessionOptions& options)
+        : film(checked_film(scene, options)), estimator(make_estimator(command, scene)) {}
+
+    static FilmSums checked_film(const Scene& scene, const SessionOptions& options) {
+        const PixelRect whole{0, 0, scene.film.width, scene.film.height};
+        const PixelRect crop = options.crop.value_or(whole);
+        check_memory(crop, scene.film.spectral_bins);
+        return make_film(scene, options);
+    }
+
+    FilmSums film;
+    std::unique_ptr<Estimator> estimator;
+};
+
+// ---- one sample --------------------------------------------------------------------------------
+
+/// JSON knows no NaN and no infinity: such a number becomes its name.
+nlohmann::ordered_json json_number(double value) {
+    if (std::isfinite(value)) return value;
+    return fmt::format("{}", value);
+}
+
+void print_sample(const RenderCommand& command, const Scene& scene, const PixelSample& sample) {
+    const WavelengthPacket& packet = sample.wavelengths;
+    if (command.json) {
+        nlohmann::ordered_json lanes = nlohmann::ordered_json::array();
+        for (int k = 0; k < packet.count; ++k)
+            lanes.push_back({{"lambda_nm", json_number(packet.lambda_nm[k])},
+                             {"pdf_per_nm", json_number(packet.pdf_per_nm[k])},
+                             {"radiance_W_per_m2_sr_nm", json_number(sample.radiance[k])}});
+        const nlohmann::ordered_json object{{"pixel", {command.replay->x, command.replay->y}},
+                                            {"sample", command.replay->sample},
+                                            {"seed", scene.render.seed},
+                                            {"depth_m", json_number(sample.depth)},
+                                            {"lanes", lanes}};
+        print_data(object.dump() + "\n");
+        return;
+    }
+    std::string text = fmt::format("pixel {},{} sample {} seed {}\n", command.replay->x,
+                                   command.replay->y, command.replay->sample, scene.render.seed);
+    text += fmt::format("depth {} m\n", sample.hit ? fmt::format("{:.9g}", sample.depth) : "-");
+    text += "lambda_nm        radiance_W_per_m2_sr_nm  pdf_per_nm\n";
+    for (int k = 0; k < packet.count; ++k)
+        text += fmt::format("{:<16.9f} {:<24.17g} {:.9g}\n", packet.lambda_nm[k],
+                            sample.radiance[k], packet.pdf_per_nm[k]);
+    print_data(text);
+}
+
+int replay(const RenderCommand& command, const Scene& scene) {
+    const Replay& wish = *command.replay;
+    if (wish.x >= scene.film.width || wish.y >= scene.film.height)
+        throw UsageError(fmt::format("--pixel is {},{}; it must lie in the picture of {}x{} pixels",
+                                     wish.x, wish.y, scene.film.width, scene.film.height));
+    SessionOptions options;
+    options.crop = PixelRect{wish.x, wish.y, wish.x + 1, wish.y + 1};
+    Work work(command, scene, options);
+    work.film.observe([&](int, int, const PixelSample& sample, std::int64_t) {
+        print_sample(command, scene, sample);
+    });
+    work.estimator->render({*options.crop, wish.sample, wish.sample + 1}, work.film);
+    return kDone;
+}
+
+// ---- the whole picture -------------------------------------------------------------------------
+
+void warn_of_invalid_samples(const FilmSums& film, const Scene& scene,
+                             const SessionResult& result) {
+    if (result.invalid_samples == 0) return;
+    const InvalidSample first = film.first_invalid().front();
+    const ReplayContext context{first.x, first.y, first.index, scene.render.seed};
+    print_message(
+        fmt::format("warning: {} of {} samples were not finite or negative and are left out; the "
+                    "first is {}",
+                    result.invalid_samples, result.samples, describe(context)));
+}
+
+/// Writes what can be written; returns the messages of what cannot.
+std::vector<std::string> write_pictures(const std::vector<std::filesystem::path>& paths,
+                                        const FilmSums& film, const Scene& scene,
+                                        const DisplaySettings& display, const Attributes& facts) {
+    std::vector<std::string> failures;
+    for (const std::filesystem::path& path : paths) {
+        try {
+            write_picture(path, film, scene, display, facts);
+        } catch (const InputError& error) {
+            failures.push_back(error.what());
+        } catch (const std::bad_alloc&) {
+            failures.push_back(path.string() + ": there is not memory enough to write it");
+        }
+    }
+    return failures;
+}
+
+std::string joined(const std::vector<std::filesystem::path>& paths) {
+    std::string text;
+    for (const std::filesystem::path& path : paths)
+        text += (text.empty() ? "" : ", ") + path.string();
+    return text;
+}
+
+std::string samples_text(double samples_per_pixel) {
+    return std::floor(samples_per_pixel) == samples_per_pixel
+               ? fmt::format("{:.0f}", samples_per_pixel)
+               : fmt::format("{:.2f}", samples_per_pixel);
+}
+
+std::string summary(const SessionResult& result, const std::vector<std::filesystem::path>& paths) {
+    const std::string reason = result.reason == StopReason::complete ? ""
+                               : result.reason == StopReason::interrupted
+                                   ? " (interrupted)"
+                                   : " (stopped by --" + to_string(result.reason) + ")";
+    return fmt::format("{}: {} samples a pixel in {}{}", joined(paths),
+                       samples_text(result.samples_per_pixel),
+                       format_duration(std::chrono::duration<double>(result.seconds)), reason);
+}
+
+void print_json(const SessionResult& result, const std::vector<std::filesystem::path>& paths) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const std::filesystem::path& path : paths) files.push_back(path.string());
+    const nlohmann::ordered_json object{
+        {"files", files},
+        {"samples_per_pixel", result.samples_per_pixel},
+        {"samples", result.samples},
+        {"seconds", result.seconds},
+        {"complete", result.reason != StopReason::interrupted},
+        {"reason", to_string(result.reason)},
+        {"invalid_samples", result.invalid_samples},
+        {"fingerprint", fingerprint()},
+        {"film_hash", fmt::format("{:016x}", result.film_hash)},
+    };
+    // A file's name need not be UTF-8.
+    print_data(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+int exit_code(const SessionResult& result) {
+    if (result.reason == StopReason::interrupted) return interrupt_exit_code();
+    const double allowed = kAllowedInvalidShare * static_cast<double>(result.samples);
+    return static_cast<double>(result.invalid_samples) > allowed ? kTooManyInvalid : kDone;
+}
+
+SessionOptions session_options(const RenderCommand& command) {
+    SessionOptions options;
+    options.crop = command.crop;
+    options.time_limit = command.time_limit;
+    options.noise_target = command.noise_target;
+    options.progress = command.progress;
+    options.title = "render " + std::filesystem::path(command.scene_file).filename().string();
+    options.stop = &stop_requested();
+    return options;
+}
+
+int render_picture(const RenderCommand& command, const Scene& scene,
+                   const std::vector<std::filesystem::path>& paths) {
+    const SessionOptions options = session_options(command);
+    Work work(command, scene, options);
+    const SessionResult result = run_session(scene, *work.estimator, options, work.film);
+    warn_of_invalid_samples(work.film, scene, result);
+    if (result.finished_units == 0) {
+        print_message("interrupted before anything was rendered; no picture is written");
+        return exit_code(result);
+    }
+
+    DisplaySettings display;
+    display.exposure_stops = scene.film.exposure_stops;
+    display.gamut = command.gamut;
+    const std::string scene_name = std::filesystem::path(command.scene_file).filename().string();
+    const std::vector<std::string> failures =
+        write_pictures(paths, work.film, scene, display, render_facts(scene, result, scene_name));
+    for (const std::string& failure : failures) print_message("dewbow: " + failure);
+    if (!failures.empty()) return kFailed;
+
+    if (!command.quiet) print_message(summary(result, paths));
+    if (command.json) print_json(result, paths);
+    return exit_code(result);
+}
+
+}  // namespace
+
+int run_render(const RenderCommand& command) {
+    set_thread_count(command.threads);
+    set_replay_command(replay_command(command));
+    if (command.replay) return replay(command, load(command));
+
+    // What would make the render useless at its end is found before it begins.
+    const std::vector<std::filesystem::path> paths = output_paths(command);
+    for (const std::filesystem::path& path : paths) check_picture_path(path);
+    return render_picture(command, load(command), paths);
+}
+
+}  // namespace dewbow
