@@ -107,6 +107,7 @@ TEST(Exr, AttributesComeBack) {
     const Attributes attributes{{"dewbow:seed", std::int64_t{7}},
                                 {"dewbow:large", std::int64_t{1} << 40},
                                 {"dewbow:smallest", std::int64_t{std::numeric_limits<int>::min()}},
+                                {"dewbow:below", std::int64_t{-2147483649}},
                                 {"dewbow:exposure", 0.1},
                                 {"EV", -1.5},
                                 {"dewbow:command", "dewbow render é.toml"},
@@ -120,6 +121,8 @@ TEST(Exr, AttributesComeBack) {
         ASSERT_TRUE(found) << attribute.name;
         if (attribute.name == "dewbow:large")
             EXPECT_EQ(std::get<std::string>(found->value), "1099511627776");
+        else if (attribute.name == "dewbow:below")
+            EXPECT_EQ(std::get<std::string>(found->value), "-2147483649");
         else
             EXPECT_EQ(found->value, attribute.value) << attribute.name;
     }

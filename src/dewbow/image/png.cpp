@@ -59,7 +59,7 @@ struct PngWriter {
     std::vector<png_text> texts;
 };
 
-/// Where `append` keeps a failure to grow: no exception may cross libpng.
+/// A failure to grow becomes an error of libpng: no exception may cross it.
 void append(png_structp png, png_bytep data, png_size_t size) {
     auto* bytes = static_cast<std::string*>(png_get_io_ptr(png));
     bool grown = true;
@@ -106,8 +106,6 @@ png_text png_text_from(TextEntry& entry) {
     text.compression = entry.ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     text.key = entry.keyword.data();
     text.text = entry.text.data();
-    text.text_length = entry.ascii ? entry.text.size() : 0;
-    text.itxt_length = entry.ascii ? 0 : entry.text.size();
     return text;
 }
 
