@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/accelerator.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dewbow/base/check.h"
+#include "dewbow/base/parallel.h"
+#include "dewbow/render/analytic_shape.h"
+
+namespace dewbow {
+
+namespace {
+
+/// A ray whose origin is nearer to a triangle's plane than this times the size of the coordinates
+/// starts on it: it left the other triangle of a flat facet. Some hundred times the rounding of
+/// that distance.
+constexpr double kSamePlane = 1e-13;
+/// Things nearer to a light than this share of the distance do not hide it: rounding of the light's
+/// point.
+constexpr double kBeforeLight = 1.0 - 1e-9;
+
+const char* pinned_isa() { return __builtin_cpu_supports("avx2") ? "avx2" : "sse4.2"; }
+
+/// Plane of a triangle, n · x = d.
+struct alignas(32) TrianglePlane {
+    Vec3 normal;
+    double distance;
+};
+
+/// A mesh in the world frame.
+struct WorldMesh {
+    int shape = 0;
+    bool see_through = false;
+    std::vector<TrianglePlane> planes;
+    std::vector<Vec3> normals;  ///< one a vertex, or empty
+    const std::vector<std::array<std::uint32_t, 3>>* triangles = nullptr;
+};
+
+/// One Embree query: its double-precision side, which the callbacks reach through the context.
+struct Query {
+    RTCIntersectContext context;  // must be first
+    const RayLanes* rays;
+    std::array<double, kMaxLanes> t;  ///< nearest hit so far; the limit, for shadow rays
+    double scale;
+};
+Query& query_of(RTCIntersectContext* context) { return *reinterpret_cast<Query*>(context); }
+
+}  // namespace
+
+struct Accelerator::Tree {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    double scale = 1.0;
+    std::vector<WorldMesh> meshes;        // geometry ID = index
+    std::vector<AnalyticShape> analytic;  // bounded ones, one user geometry after the meshes
+    std::vector<int> analytic_shape;      // index into Scene::shapes
+    std::vector<Bounds> analytic_bounds;
+    std::vector<AnalyticShape> planes;
+    std::vector<int> plane_shape;
+    std::vector<int> mesh_of_shape;  // index into meshes, −1 for analytic shapes
+    std::vector<bool> see_through;
+
+    void add_mesh(const Shape& shape, int index);
+    void attach_analytic();
+    void finish_lane(const RayLanes& rays, int k, Hit& hit) const;
+    void meet_planes(const RayLanes& rays, int k, Hit& hit) const;
+
+    template <bool kOccluded>
+    static void filter(const RTCFilterFunctionNArguments* args);
+    template <bool kOccluded>
+    void meet_analytic(RTCIntersectContext* context, unsigned primitive, unsigned n,
+                       const int* valid, RTCRayN* ray, RTCHitN* hit, unsigned geometry) const;
+};
+
+/// Called for each triangle that Embree believes to be hit: measures again in double precision, and
+/// refuses the triangle that the ray starts on.
+template <bool kOccluded>
+void Accelerator::Tree::filter(const RTCFilterFunctionNArguments* args) {
+    const auto& mesh = *static_cast<const WorldMesh*>(args->geometryUserPtr);
+    Query& query = query_of(args->context);
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (args->valid[i] != -1) continue;
+        const unsigned k = RTCRayN_id(args->ray, args->N, i);
+        const int primitive = int(RTCHitN_primID(args->hit, args->N, i));
+        const RayLanes& rays = *query.rays;
+        const SurfaceFrom& from = rays.from[k];
+        const bool same_shape = from.shape == mesh.shape;
+        const TrianglePlane& plane = mesh.planes[std::size_t(primitive)];
+        const double height = plane.distance - dot(plane.normal, rays.origin(int(k)));
+        const double t = height / dot(plane.normal, rays.direction(int(k)));
+        bool accept = t > 0.0 && t < query.t[k];
+        if (same_shape)
+            accept = accept && from.primitive != primitive &&
+                     std::abs(height) > kSamePlane * query.scale;
+        if (kOccluded) accept = accept && !mesh.see_through;
+        if (!accept)
+            args->valid[i] = 0;
+        else if (!kOccluded)
+            query.t[k] = t;
+    }
+}
+
+template <bool kOccluded>
+void Accelerator::Tree::meet_analytic(RTCIntersectContext* context, unsigned primitive, unsigned n,
+                                      const int* valid, RTCRayN* ray, RTCHitN* hit,
+                                      unsigned geometry) const {
+    Query& query = query_of(context);
+    const AnalyticShape& shape = analytic[primitive];
+    const int index = analytic_shape[primitive];
+    if (kOccluded && see_through[std::size_t(index)]) return;
+    for (unsigned i = 0; i < n; ++i) {
+        if (valid[i] != -1) continue;
+        const unsigned k = RTCRayN_id(ray, n, i);
+        const RayLanes& rays = *query.rays;
+        const SurfaceFrom& from = rays.from[k];
+        double t = 0.0;
+        int face = 0;
+        if (!shape.intersect(rays.origin(int(k)), rays.direction(int(k)), from.shape == index,
+                             from.inward, query.t[k], t, face))
+            continue;
+        if (kOccluded) {
+            RTCRayN_tfar(ray, n, i) = -std::numeric_limits<float>::infinity();
+            continue;
+        }
+        query.t[k] = t;
+        RTCRayN_tfar(ray, n, i) = float(t);
+        RTCHitN_geomID(hit, n, i) = geometry;
+        RTCHitN_primID(hit, n, i) = primitive;
+        RTCHitN_u(hit, n, i) = float(face);  // carried through Embree's record
+        RTCHitN_instID(hit, n, i, 0) = context->instID[0];
+    }
+}
+
+void Accelerator::Tree::add_mesh(const Shape& shape, int index) {
+    const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(shape.geometry);
+    WorldMesh& world = meshes.emplace_back();
+    world.shape = index;
+    world.see_through = see_through[std::size_t(index)];
+    world.triangles = &mesh.triangles;
+    std::vector<Vec3> vertices;
+    vertices.reserve(mesh.vertices.size());
+    for (const auto& v : mesh.vertices) vertices.push_back(shape.world_from_object(v).v);
+    for (const auto& n : mesh.normals) world.normals.push_back(shape.world_from_object(n).v);
+    // A mirrored frame turns the winding round; normals stay outward.
+    const double side = shape.world_from_object.affine().determinant() < 0.0 ? -1.0 : 1.0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 n = side * cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
+        const Vec3 unit_normal = length(n) > 0.0 ? normalised(n) : Vec3{0, 0, 1};
+        world.planes.push_back({unit_normal, dot(unit_normal, vertices[a])});
+    }
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* floats = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               vertices.size()));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(unsigned), mesh.triangles.size()));
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            floats[3 * i + std::size_t(axis)] = float(vertices[i][axis]);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), indices + 3 * i);
+    rtcSetGeometryIntersectFilterFunction(geometry, &filter<false>);
+    rtcSetGeometryOccludedFilterFunction(geometry, &filter<true>);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, unsigned(meshes.size() - 1));
+    rtcReleaseGeometry(geometry);
+}
+
+void Accelerator::Tree::attach_analytic() {
+    if (analytic.empty()) return;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, unsigned(analytic.size()));
+    rtcSetGeometryUserData(geometry, this);
+    rtcSetGeometryBoundsFunction(
+        geometry,
+        [](const RTCBoundsFunctionArguments* args) {
+            const auto& tree = *static_cast<const Tree*>(args->geometryUserPtr);
+            const Bounds& b = tree.analytic_bounds[args->primID];
+            // Wider by the rounding to float, and by more, so that flat shapes have a volume.
+            const double margin = 1e-6 * (tree.scale + length(b.high) + length(b.low));
+            *args->bounds_o = {
+                float(b.low.x - margin),  float(b.low.y - margin),  float(b.low.z - margin),  0.0f,
+                float(b.high.x + margin), float(b.high.y + margin), float(b.high.z + margin), 0.0f};
+        },
+        nullptr);
+    rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* args) {
+        static_cast<const Tree*>(args->geometryUserPtr)
+            ->meet_analytic<false>(args->context, args->primID, args->N, args->valid,
+                                   RTCRayHitN_RayN(args->rayhit, args->N),
+                                   RTCRayHitN_HitN(args->rayhit, args->N), args->geomID);
+    });
+    rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* args) {
+        static_cast<const Tree*>(args->geometryUserPtr)
+            ->meet_analytic<true>(args->context, args->primID, args->N, args->valid, args->ray,
+                                  nullptr, args->geomID);
+    });
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, unsigned(meshes.size()));
+    rtcReleaseGeometry(geometry);
+}
+
+Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
+    : tree_(std::make_unique<Tree>()) {
+    Tree& tree = *tree_;
+    const std::string config = std::string("isa=") + pinned_isa() +
+                               (parallel_backend_is_jthread() ? ",threads=1,user_threads=1" : "");
+    tree.device = rtcNewDevice(config.c_str());
+    DEWBOW_CHECK(tree.device != nullptr, "Embree gives no device");
+    tree.scene = rtcNewScene(tree.device);
+    rtcSetSceneFlags(tree.scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(tree.scene, RTC_BUILD_QUALITY_HIGH);
+    tree.see_through = std::move(see_through);
+    const Bounds bounds = bounds_of(scene);
+    if (!bounds.empty()) tree.scale = std::max(length(bounds.low), length(bounds.high));
+
+    std::size_t mesh_count = 0;
+    for (const Shape& shape : scene.shapes) mesh_count += !AnalyticShape::holds(shape.geometry);
+    tree.meshes.reserve(mesh_count);  // the filter holds pointers into it
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        tree.mesh_of_shape.push_back(-1);
+        if (!AnalyticShape::holds(shape.geometry)) {
+            tree.mesh_of_shape.back() = int(tree.meshes.size());
+            tree.add_mesh(shape, int(i));
+        } else if (AnalyticShape analytic(shape); analytic.infinite()) {
+            tree.planes.push_back(analytic);
+            tree.plane_shape.push_back(int(i));
+        } else {
+            tree.analytic.push_back(analytic);
+            tree.analytic_shape.push_back(int(i));
+            tree.analytic_bounds.push_back(bounds_of(shape));
+        }
+    }
+    for (std::size_t i = 0; i < tree.meshes.size(); ++i)
+        rtcSetGeometryUserData(rtcGetGeometry(tree.scene, unsigned(i)), &tree.meshes[i]);
+    tree.attach_analytic();
+    rtcCommitScene(tree.scene);
+    const RTCError error = rtcGetDeviceError(tree.device);
+    DEWBOW_CHECK(error == RTC_ERROR_NONE, "Embree could not build the scene");
+}
+
+Accelerator::~Accelerator() {
+    if (tree_->scene) rtcReleaseScene(tree_->scene);
+    if (tree_->device) rtcReleaseDevice(tree_->device);
+}
+
+void Accelerator::Tree::meet_planes(const RayLanes& rays, int k, Hit& hit) const {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        double t = 0.0;
+        int face = 0;
+        const SurfaceFrom& from = rays.from[std::size_t(k)];
+        if (!planes[i].intersect(rays.origin(k), rays.direction(k), from.shape == plane_shape[i],
+                                 from.inward, hit.t, t, face))
+            continue;
+        hit.t = t;
+        hit.shape = plane_shape[i];
+        hit.primitive = 0;
+        hit.normal = planes[i].normal({}, 0);
+    }
+}
+
+namespace {
+
+template <class RayHit>
+void load_ray(const RayLanes& rays, int n, RayHit& packet) {
+    for (int k = 0; k < n; ++k) {
+        packet.ray.org_x[k] = float(rays.ox[k]);
+        packet.ray.org_y[k] = float(rays.oy[k]);
+        packet.ray.org_z[k] = float(rays.oz[k]);
+        packet.ray.dir_x[k] = float(rays.dx[k]);
+        packet.ray.dir_y[k] = float(rays.dy[k]);
+        packet.ray.dir_z[k] = float(rays.dz[k]);
+        packet.ray.tnear[k] = 0.0f;
+        packet.ray.tfar[k] = std::numeric_limits<float>::infinity();
+        packet.ray.time[k] = 0.0f;
+        packet.ray.mask[k] = ~0u;
+        packet.ray.id[k] = unsigned(k);
+        packet.ray.flags[k] = 0;
+        packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+RTCRay load_ray(const Ray& ray, float limit) {
+    RTCRay result{};
+    result.org_x = float(ray.origin.x), result.org_y = float(ray.origin.y);
+    result.org_z = float(ray.origin.z);
+    result.dir_x = float(ray.direction.x), result.dir_y = float(ray.direction.y);
+    result.dir_z = float(ray.direction.z);
+    result.tnear = 0.0f;
+    result.tfar = limit;
+    result.mask = ~0u;
+    return result;
+}
+
+Query make_query(const RayLanes& rays, double limit, double scale, bool coherent) {
+    Query query;
+    rtcInitIntersectContext(&query.context);
+    query.context.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    query.rays = &rays;
+    query.t.fill(limit);
+    query.scale = scale;
+    return query;
+}
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+/// Fills in what Embree's record leaves out; `hit` holds geometry and primitive IDs.
+void Accelerator::Tree::finish_lane(const RayLanes& rays, int k, Hit& hit) const {
+    if (hit.shape < 0) {
+        hit.t = kUnlimited;
+    } else if (std::size_t(hit.shape) < meshes.size()) {
+        const WorldMesh& mesh = meshes[std::size_t(hit.shape)];
+        hit.shape = mesh.shape;
+        hit.normal = mesh.planes[std::size_t(hit.primitive)].normal;
+    } else {
+        const auto which = std::size_t(hit.primitive);
+        hit.shape = analytic_shape[which];
+        hit.primitive = int(hit.u);
+        hit.normal =
+            analytic[which].normal(rays.origin(k) + rays.direction(k) * hit.t, hit.primitive);
+    }
+    if (!planes.empty()) meet_planes(rays, k, hit);
+}
+
+Hit Accelerator::intersect(const Ray& ray) const {
+    RayLanes rays;
+    rays.count = 1;
+    rays.set(0, ray);
+    HitLanes hits;
+    intersect(rays, 1u, hits);
+    return hits[0];
+}
+
+void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits) const {
+    const Tree& tree = *tree_;
+    Query query = make_query(rays, kUnlimited, tree.scale, rays.count > 1);
+    alignas(64) std::array<int, kMaxLanes> valid;
+    for (int k = 0; k < kMaxLanes; ++k) valid[std::size_t(k)] = (mask >> k & 1u) ? -1 : 0;
+
+    const auto take = [&](const auto& hit_of) {
+        for (int k = 0; k < rays.count; ++k) {
+            if (!(mask >> k & 1u)) continue;
+            Hit& hit = hits[std::size_t(k)];
+            hit_of(k, hit);
+            hit.t = query.t[std::size_t(k)];
+            tree.finish_lane(rays, k, hit);
+        }
+    };
+    const auto trace_packet = [&](auto& packet, auto&& trace, int width) {
+        load_ray(rays, width, packet);
+        trace(valid.data(), tree.scene, &query.context, &packet);
+        take([&](int k, Hit& hit) {
+            hit.shape = int(packet.hit.geomID[k]);
+            hit.primitive = int(packet.hit.primID[k]);
+            hit.u = double(packet.hit.u[k]);
+            hit.v = double(packet.hit.v[k]);
+        });
+    };
+    if (rays.count == 1) {
+        RTCRayHit single;
+        single.ray = load_ray(rays.ray(0), std::numeric_limits<float>::infinity());
+        single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(tree.scene, &query.context, &single);
+        take([&](int, Hit& hit) {
+            hit.shape = int(single.hit.geomID);
+            hit.primitive = int(single.hit.primID);
+            hit.u = double(single.hit.u);
+            hit.v = double(single.hit.v);
+        });
+    } else if (rays.count <= 4) {
+        RTCRayHit4 packet;
+        trace_packet(packet, rtcIntersect4, 4);
+    } else if (rays.count <= 8) {
+        RTCRayHit8 packet;
+        trace_packet(packet, rtcIntersect8, 8);
+    } else {
+        RTCRayHit16 packet;
+        trace_packet(packet, rtcIntersect16, 16);
+    }
+}
+
+bool Accelerator::occluded(const Ray& ray, double distance) const {
+    const Tree& tree = *tree_;
+    RayLanes rays;
+    rays.count = 1;
+    rays.set(0, ray);
+    const double limit = distance * kBeforeLight;
+    for (std::size_t i = 0; i < tree.planes.size(); ++i) {
+        double t = 0.0;
+        int face = 0;
+        const int shape = tree.plane_shape[i];
+        if (!tree.see_through[std::size_t(shape)] &&
+            tree.planes[i].intersect(ray.origin, ray.direction, ray.from.shape == shape,
+                                     ray.from.inward, limit, t, face))
+            return true;
+    }
+    Query query = make_query(rays, limit, tree.scale, false);
+    RTCRay single = load_ray(ray, float(limit));
+    rtcOccluded1(tree.scene, &query.context, &single);
+    return single.tfar < 0.0f;
+}
+
+Vec3 Accelerator::shading_normal(const Hit& hit) const {
+    const int which = tree_->mesh_of_shape[std::size_t(hit.shape)];
+    if (which < 0 || tree_->meshes[std::size_t(which)].normals.empty()) return hit.normal;
+    const WorldMesh& mesh = tree_->meshes[std::size_t(which)];
+    const auto& [a, b, c] = (*mesh.triangles)[std::size_t(hit.primitive)];
+    const Vec3 n =
+        mesh.normals[a] * (1.0 - hit.u - hit.v) + mesh.normals[b] * hit.u + mesh.normals[c] * hit.v;
+    const double squared = dot(n, n);
+    if (!(squared > 0.0) || dot(n, hit.normal) <= 0.0) return hit.normal;
+    return n / std::sqrt(squared);
+}
+
+std::string accelerator_fingerprint() {
+    return std::string("Embree ") + RTC_VERSION_STRING + " " + pinned_isa();
+}
+
+}  // namespace dewbow

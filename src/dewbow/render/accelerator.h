@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Where rays meet the scene. Embree finds the triangle; the distance is then computed again in
+// double precision from the triangle's plane. Analytic shapes live in the same tree.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dewbow/render/ray.h"
+#include "dewbow/scene/scene.h"
+
+namespace dewbow {
+
+class Accelerator {
+public:
+    /// @param see_through  one a shape: whether shadow rays ignore it (a boundary that bends
+    /// nothing).
+    Accelerator(const Scene& scene, std::vector<bool> see_through);
+    ~Accelerator();
+    Accelerator(const Accelerator&) = delete;
+    Accelerator& operator=(const Accelerator&) = delete;
+
+    /// Nearest hit of one ray.
+    Hit intersect(const Ray& ray) const;
+    /// Nearest hits of the lanes in `mask`; the others are left as they are.
+    void intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits) const;
+    /// Whether anything stands in the way before `distance` (but for rounding: a light's own
+    /// surface there does not hide it).
+    bool occluded(const Ray& ray, double distance) const;
+
+    /// Unit normal for shading at `hit`: interpolated where a mesh brings normals, else hit.normal.
+    /// On the outward side of the true surface.
+    Vec3 shading_normal(const Hit& hit) const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+/// "Embree 3.13.5 avx2": what the bits of hits depend on.
+std::string accelerator_fingerprint();
+
+}  // namespace dewbow

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dewbow/spectrum/rgb.h"
+
+namespace dewbow {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+enum Basis { white, cyan, magenta, yellow, red, green, blue };
+
+const std::array<SpectrumPtr, 7>& basis_spectra() {
+    static const std::array<SpectrumPtr, 7> spectra = [] {
+        constexpr std::array<std::array<double, 3>, 7> colours{
+            {{1, 1, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+        std::array<SpectrumPtr, 7> result;
+        for (std::size_t i = 0; i < 7; ++i)
+            result[i] = make_emission(Colour<LinearSrgb>{colours[i]});
+        return result;
+    }();
+    return spectra;
+}
+
+double luminance(Colour<LinearSrgb> rgb) { return xyz_from_rgb(rgb)[1]; }
+
+double row_theta(int row, int height) { return kPi * (row + 0.5) / height; }
+
+/// Brightness of each pixel, smoothed over its neighbours because radiance() interpolates between
+/// them, times the solid angle of its row.
+std::vector<double> sampling_weights(const ImageEnvironment& image) {
+    const auto y_at = [&](int x, int y) {
+        const int wrapped = (x + image.width) % image.width;
+        const int held = std::clamp(y, 0, image.height - 1);
+        return luminance(
+            image.pixels[std::size_t(held) * std::size_t(image.width) + std::size_t(wrapped)]);
+    };
+    std::vector<double> weights;
+    weights.reserve(image.pixels.size());
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            double sum = 0.0;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) sum += std::max(0.0, y_at(x + dx, y + dy));
+            weights.push_back(sum / 9.0 * std::sin(row_theta(y, image.height)));
+        }
+    }
+    return weights;
+}
+
+}  // namespace
+
+void RgbLightLanes::eval(Colour<LinearSrgb> rgb, const LaneSet& lanes, LaneValues& out) {
+    if (!ready_) {
+        for (std::size_t i = 0; i < 7; ++i)
+            basis_spectra()[i]->eval_lanes(packet_->lambdas(), basis_[i].first(packet_->count));
+        ready_ = true;
+    }
+    // The least channel is white; of the rest, the lesser two make a secondary colour; what is left
+    // over is a primary.
+    constexpr std::array<int, 3> secondary_without{cyan, magenta, yellow};
+    constexpr std::array<int, 3> primary{red, green, blue};
+    const std::array<double, 3>& c = rgb.v;
+    const std::size_t least = std::size_t(std::min_element(c.begin(), c.end()) - c.begin());
+    const std::size_t most = std::size_t(std::max_element(c.begin(), c.end()) - c.begin());
+    const std::size_t middle = least == most ? least : 3 - least - most;
+    const LaneValues& a = basis_[white];
+    const LaneValues& b = basis_[std::size_t(secondary_without[least])];
+    const LaneValues& p = basis_[std::size_t(primary[most])];
+    for (int k = 0; k < lanes.count; ++k) {
+        const int id = lanes.id[std::size_t(k)];
+        out[k] = c[least] * a[id] + (c[middle] - c[least]) * b[id] + (c[most] - c[middle]) * p[id];
+    }
+}
+
+EnvironmentMap::EnvironmentMap(std::shared_ptr<const ImageEnvironment> image)
+    : image_(std::move(image)),
+      local_from_world_(image_->world_from_object.inverse().affine()),
+      world_from_local_(image_->world_from_object.affine()),
+      distribution_(sampling_weights(*image_), std::size_t(image_->width),
+                    std::size_t(image_->height)) {
+    double sum = 0.0, weight = 0.0;
+    for (int y = 0; y < image_->height; ++y) {
+        const double sine = std::sin(row_theta(y, image_->height));
+        for (int x = 0; x < image_->width; ++x)
+            sum +=
+                sine *
+                luminance(
+                    image_->pixels[std::size_t(y) * std::size_t(image_->width) + std::size_t(x)]);
+        weight += sine * image_->width;
+    }
+    mean_y_ = image_->scale * sum / weight;
+}
+
+EnvironmentMap::Place EnvironmentMap::place_of(Vec3 direction) const {
+    const Vec3 d = normalised(local_from_world_.apply_linear(direction));
+    const double theta = std::acos(std::clamp(d.y, -1.0, 1.0));
+    const double x = 0.5 + std::atan2(d.x, -d.z) / (2.0 * kPi);
+    return {x >= 1.0 ? x - 1.0 : x, std::min(theta / kPi, 1.0 - 0x1p-53), std::sin(theta)};
+}
+
+Colour<LinearSrgb> EnvironmentMap::radiance(Vec3 direction) const {
+    const Place place = place_of(direction);
+    const int width = image_->width, height = image_->height;
+    const double x = place.x * width - 0.5, y = place.y * height - 0.5;
+    const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
+    const double fx = x - x0, fy = y - y0;
+    const auto pixel = [&](int px, int py) {
+        return image_->pixels[std::size_t(std::clamp(py, 0, height - 1)) * std::size_t(width) +
+                              std::size_t((px + width) % width)];
+    };
+    return image_->scale * ((1.0 - fy) * ((1.0 - fx) * pixel(x0, y0) + fx * pixel(x0 + 1, y0)) +
+                            fy * ((1.0 - fx) * pixel(x0, y0 + 1) + fx * pixel(x0 + 1, y0 + 1)));
+}
+
+EnvironmentMap::Sample EnvironmentMap::sample(std::array<double, 2> u) const {
+    const Distribution2D::Sample s = distribution_.sample(u[0], u[1]);
+    const double theta = kPi * s.y, phi = 2.0 * kPi * (s.x - 0.5);
+    const double sine = std::sin(theta);
+    const Vec3 local{sine * std::sin(phi), std::cos(theta), -sine * std::cos(phi)};
+    const double pdf = sine > 0.0 ? s.pdf / (2.0 * kPi * kPi * sine) : 0.0;
+    return {normalised(world_from_local_.apply_linear(local)), pdf};
+}
+
+double EnvironmentMap::pdf(Vec3 direction) const {
+    const Place place = place_of(direction);
+    if (place.sin_theta <= 0.0) return 0.0;
+    return distribution_.pdf(place.x, place.y) / (2.0 * kPi * kPi * place.sin_theta);
+}
+
+}  // namespace dewbow

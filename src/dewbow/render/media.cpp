@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/media.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dewbow/base/error.h"
+#include "dewbow/render/accelerator.h"
+
+namespace dewbow {
+
+namespace {
+
+constexpr int kMaxNested = 8;
+
+/// Where two media must agree for a boundary to be none: the ends and the middle of the visible
+/// range decide for every smooth dispersion.
+constexpr std::array<double, 5> kProbe_nm{360.0, 450.0, 550.0, 680.0, 830.0};
+/// Differences of index below this bend no ray by more than a rounding of its direction.
+constexpr double kSameIndex = 1e-12;
+
+const Dielectric* dielectric_of(const Material& material) {
+    return std::get_if<Dielectric>(&material.surface);
+}
+
+bool same_index(const Dispersion& a, const Dispersion& b) {
+    std::array<double, kProbe_nm.size()> n_a, n_b;
+    a.eval_lanes(kProbe_nm, n_a);
+    b.eval_lanes(kProbe_nm, n_b);
+    for (std::size_t i = 0; i < n_a.size(); ++i)
+        if (std::abs(n_a[i] - n_b[i]) > kSameIndex) return false;
+    return true;
+}
+
+}  // namespace
+
+MediaStack MediaStack::entered(int id) const {
+    MediaStack result;
+    std::uint64_t rest = ids_;
+    int shift = 0;
+    bool placed = false;
+    while ((rest != 0 || !placed) && shift < 8 * kMaxNested) {
+        const int top = int(rest & 0xff);
+        const bool take_new = !placed && id >= top;
+        result.ids_ |= std::uint64_t(take_new ? id : top) << shift;
+        if (take_new)
+            placed = true;
+        else
+            rest >>= 8;
+        shift += 8;
+    }
+    return result;
+}
+
+MediaStack MediaStack::left(int id) const {
+    MediaStack result;
+    int shift = 0;
+    bool removed = false;
+    for (std::uint64_t rest = ids_; rest != 0; rest >>= 8) {
+        const int top = int(rest & 0xff);
+        if (top == id && !removed) {
+            removed = true;
+            continue;
+        }
+        result.ids_ |= std::uint64_t(top) << shift;
+        shift += 8;
+    }
+    return result;
+}
+
+bool MediaStack::holds(int id) const {
+    for (std::uint64_t rest = ids_; rest != 0; rest >>= 8)
+        if (int(rest & 0xff) == id) return true;
+    return false;
+}
+
+MediaTable::MediaTable(const Scene& scene) : interior_(scene.materials.size(), -1) {
+    std::vector<MediumPtr> bodies;
+    for (const Material& material : scene.materials) {
+        const Dielectric* dielectric = dielectric_of(material);
+        if (dielectric &&
+            std::find(bodies.begin(), bodies.end(), dielectric->interior) == bodies.end())
+            bodies.push_back(dielectric->interior);
+    }
+    constexpr std::size_t kMostMedia = 255;
+    if (bodies.size() > kMostMedia)
+        throw InputError("the scene has " + std::to_string(bodies.size()) +
+                         " different glasses; at most 255 are possible");
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [](const auto& a, const auto& b) { return a->priority < b->priority; });
+    media_.push_back(scene.surroundings);
+    media_.insert(media_.end(), bodies.begin(), bodies.end());
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Dielectric* dielectric = dielectric_of(scene.materials[i]);
+        if (!dielectric) continue;
+        const auto found = std::find(bodies.begin(), bodies.end(), dielectric->interior);
+        interior_[i] = 1 + int(found - bodies.begin());
+    }
+}
+
+void PacketMedia::begin(const WavelengthPacket& packet) {
+    packet_ = packet;
+    ++generation_;
+}
+
+PacketMedia::Entry& PacketMedia::entry(int id) {
+    Entry& e = entries_[std::size_t(id)];
+    if (e.generation == generation_) return e;
+    e.generation = generation_;
+    const Medium& medium = table_.medium(id);
+    const auto lambdas = packet_.lambdas();
+    medium.index->eval_lanes(lambdas, std::span(e.index).first(lambdas.size()));
+    e.absorbs = medium.absorption != nullptr;
+    if (e.absorbs)
+        medium.absorption->eval_lanes(lambdas, std::span(e.absorption).first(lambdas.size()));
+    return e;
+}
+
+MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
+                    const Accelerator& accelerator) {
+    // Any direction serves; this one is parallel to no edge of a scene made by people.
+    const Vec3 direction = normalised({0.5570860145311556, 0.7427813527082074, 0.3713906763541037});
+    std::vector<int> balance(std::size_t(media.size()), 0);
+    Ray ray{point, direction, {}};
+    constexpr int kMostSurfaces = 10000;
+    for (int i = 0; i < kMostSurfaces; ++i) {
+        const Hit hit = accelerator.intersect(ray);
+        if (!hit) break;
+        const bool inward = dot(direction, hit.normal) < 0.0;
+        const int id = media.interior_of(scene.shapes[std::size_t(hit.shape)].material);
+        if (id > 0) balance[std::size_t(id)] += inward ? -1 : 1;
+        ray = {ray.origin + direction * hit.t, direction, {hit.shape, hit.primitive, inward}};
+    }
+    MediaStack stack;
+    for (int id = 1; id < media.size(); ++id)
+        for (int n = 0; n < balance[std::size_t(id)]; ++n) stack = stack.entered(id);
+    return stack;
+}
+
+std::vector<bool> see_through_shapes(const Scene& scene) {
+    std::vector<bool> result;
+    for (const Shape& shape : scene.shapes) {
+        const Material& material = scene.materials[std::size_t(shape.material)];
+        const Dielectric* d = dielectric_of(material);
+        result.push_back(d && !material.emission && !d->tint && !d->interior->absorption &&
+                         same_index(*d->interior->index, *scene.surroundings->index));
+    }
+    return result;
+}
+
+}  // namespace dewbow

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The spectral path tracer: camera paths that carry a packet of wavelengths.
+
+#include <memory>
+
+#include "dewbow/render/accelerator.h"
+#include "dewbow/render/camera_ray.h"
+#include "dewbow/render/estimator.h"
+#include "dewbow/render/light_set.h"
+#include "dewbow/render/media.h"
+
+namespace dewbow {
+
+/// What all paths of a render share: the scene, made ready for tracing. Immutable.
+struct PreparedScene {
+    explicit PreparedScene(const Scene& scene);
+
+    const std::uint64_t
+        serial;  ///< different for each, never 0: what a thread keeps belongs to one of them
+    const Scene& scene;
+    MediaTable media;
+    Accelerator accelerator;
+    LightSet lights;
+    CameraRays camera;
+    MediaStack camera_media;          ///< what the camera stands in
+    std::vector<Colour<Xyz>> albedo;  ///< one a material, for the albedo layer
+};
+
+/// Sample `index` of pixel (x, y).
+PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index);
+
+/// The radiance that arrives along `ray` at each lane of `wavelengths`, estimated by the random
+/// numbers of `key`. `media` says what the ray starts in.
+PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
+                         const WavelengthPacket& wavelengths, const SampleKey& key);
+
+/// `scene` must outlive the estimator.
+std::unique_ptr<Estimator> make_path_estimator(const Scene& scene);
+
+}  // namespace dewbow
