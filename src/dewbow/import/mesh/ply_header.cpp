@@ -147,13 +147,6 @@ std::optional<std::size_t> Element::find(std::string_view property) const {
     return std::nullopt;
 }
 
-std::size_t Element::least_bytes() const {
-    std::size_t sum = 0;
-    for (const Property& property : properties)
-        sum += size_of(property.list_count.value_or(property.type));
-    return sum;
-}
-
 Header parse_header(const std::string& file, std::string_view bytes) {
     return HeaderReader(file, bytes).read();
 }

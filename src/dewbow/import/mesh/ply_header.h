@@ -29,9 +29,6 @@ struct Element {
 
     /// Where the property of that name stands; nothing if there is none.
     std::optional<std::size_t> find(std::string_view property) const;
-    /// Bytes that one of it takes at least, lists being empty: > 0 but for elements without
-    /// properties.
-    std::size_t least_bytes() const;
 };
 
 struct Header {

@@ -22,17 +22,6 @@ std::optional<double> number_of(const TomlValue& value) {
 
 }  // namespace
 
-bool Range::contains(double value) const {
-    return std::isfinite(value) && (low_open ? value > low : value >= low) &&
-           (high_open ? value < high : value <= high);
-}
-
-std::string Range::text() const {
-    if (!low_open && !high_open) return fmt::format("between {} and {}", low, high);
-    return fmt::format("{} {} and {} {}", low_open ? "greater than" : "at least", low,
-                       high_open ? "less than" : "at most", high);
-}
-
 void fail(const TomlDocument& document, TomlPlace place, const std::string& sentence,
           const std::string& hint) {
     throw InputError({document.file, place.line, place.column, {}}, sentence,

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// glTF's light: linear sRGB colours with photometric units.
+
+#include "dewbow/math/vector.h"
+#include "dewbow/spectrum/spectrum.h"
+
+namespace dewbow::gltf {
+
+/// A spectrum of colour `rgb` such that for (1, 1, 1) and `size` 1 its integral against V(λ) times
+/// 683 lm W⁻¹ is 1: radiance from nits, irradiance from lux, intensity from candela. nullptr if it
+/// is black.
+SpectrumPtr photometric_spectrum(Vec3 rgb, double size);
+
+}  // namespace dewbow::gltf
