@@ -61,6 +61,14 @@ std::vector<std::string> estimator_names() {
     return names;
 }
 
+/// Names of gamut mappings as options spell them: "towards-white".
+std::vector<std::string> gamut_words() {
+    std::vector<std::string> words = gamut_mapping_names();
+    for (std::string& word : words) std::replace(word.begin(), word.end(), '_', '-');
+    return words;
+}
+
+/// ".exr, .png"
 std::string endings(const std::vector<std::string>& extensions) {
     std::string text;
     for (const std::string& extension : extensions) text += (text.empty() ? "" : ", ") + extension;
@@ -96,7 +104,10 @@ public:
         } catch (const CLI::CallForVersion& version) {
             return ShowText{std::string(version.what()) + "\n"};
         } catch (const CLI::Success&) {
-            return ShowText{deepest(app_).help()};
+            return ShowText{deepest(app_).help(path_of(deepest(app_).get_parent()))};
+        } catch (const CLI::ArgumentMismatch& error) {
+            const std::string what = error.what();  // "--spp: 1 required N missing"
+            throw UsageError(what.substr(0, what.find(':')) + " wants a value", help_hint());
         } catch (const CLI::ParseError& error) {
             refuse_extras();  // the cause, where an option is not known
             throw UsageError(error.what(), help_hint());
@@ -112,7 +123,9 @@ private:
     static CLI::Option* text_option(CLI::App& app, const std::string& name,
                                     std::optional<std::string>& text, const std::string& what,
                                     const std::string& form) {
-        return app.add_option(name, text, what)->type_name(form);
+        return app.add_option(name, text, what)
+            ->type_name(form)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     }
 
     void add_render() {
@@ -145,7 +158,7 @@ private:
         add("--packet", t.packet, "Wavelengths that one path carries", alternatives(kPacketNames));
         add("--exposure", t.exposure, "Exposure of PNG pictures", "STOPS");
         add("--gamut", t.gamut, "How PNG pictures show colours that a screen does not have",
-            alternatives(gamut_mapping_names()));
+            alternatives(gamut_words()));
         add("--spectral-bins", t.spectral_bins, "Wavelength bins to write into EXR pictures", "N");
         add("--max-depth", t.max_depth, "Most surfaces that a path meets", "N");
         add("--wavelengths", t.wavelengths, "How wavelengths are spread over 360-830 nm",
@@ -183,11 +196,16 @@ private:
         return parsed.empty() ? app : deepest(*parsed.front());
     }
 
+    /// "dewbow glass show"
+    static std::string path_of(const CLI::App* app) {
+        std::string path;
+        for (; app; app = app->get_parent())
+            path = app->get_name() + (path.empty() ? "" : " " + path);
+        return path;
+    }
+
     std::string help_hint() const {
-        std::string command;
-        for (const CLI::App* app = &deepest(app_); app; app = app->get_parent())
-            command = app->get_name() + (command.empty() ? "" : " " + command);
-        return "`" + command + " --help` tells how it is used";
+        return "`" + path_of(&deepest(app_)) + " --help` tells how it is used";
     }
 
     /// Words that no option and no place takes: the first of them is the mistake.
@@ -289,8 +307,8 @@ private:
             command.exposure_stops =
                 parse_real("--exposure", *t.exposure, -kMostExposureStops, kMostExposureStops);
         if (!t.gamut) return;
-        parse_word("--gamut", *t.gamut, gamut_mapping_names());
-        command.gamut = gamut_mapping_from_name(*t.gamut);
+        const std::size_t index = parse_word("--gamut", *t.gamut, gamut_words());
+        command.gamut = gamut_mapping_from_name(gamut_mapping_names()[index]);
     }
 
     void read_replay(RenderCommand& command) const {

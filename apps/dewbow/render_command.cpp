@@ -242,8 +242,16 @@ SessionOptions session_options(const RenderCommand& command) {
     return options;
 }
 
+void check_crop(const PixelRect& crop, const Film& film) {
+    if (crop.x1 <= film.width && crop.y1 <= film.height) return;
+    throw UsageError(
+        fmt::format("--crop is {},{},{}x{}; it must lie in the picture of {}x{} pixels", crop.x0,
+                    crop.y0, crop.width(), crop.height(), film.width, film.height));
+}
+
 int render_picture(const RenderCommand& command, const Scene& scene,
                    const std::vector<std::filesystem::path>& paths) {
+    if (command.crop) check_crop(*command.crop, scene.film);
     const SessionOptions options = session_options(command);
     Work work(command, scene, options);
     const SessionResult result = run_session(scene, *work.estimator, options, work.film);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "dewbow/base/check.h"
 #include "dewbow/base/error.h"
@@ -31,8 +32,8 @@ std::int64_t area_of(PixelRect rect) {
     return static_cast<std::int64_t>(rect.width()) * rect.height();
 }
 
-/// Steps of a progress display that follows the clock.
-constexpr std::uint64_t kTimeSteps = 10000;
+/// Steps of a progress display that follows the clock or the noise.
+constexpr std::uint64_t kShareSteps = 10000;
 
 /// One call of run_session.
 class Run {
@@ -43,12 +44,12 @@ public:
           options_(options),
           film_(film),
           plan_(film.crop(), scene.render.samples_per_pixel),
-          progress_(options.title, options.time_limit ? kTimeSteps : plan_.units(),
-                    options.progress) {}
+          progress_(options.title, has_goal() ? kShareSteps : plan_.units(), options.progress) {}
 
     SessionResult run() {
         SessionResult result;
         result.reason = render_passes();
+        if (has_goal()) advance_by_share();
         progress_.finish();
         result.crop = film_.crop();
         result.samples = samples_;
@@ -82,20 +83,22 @@ private:
         estimator_.render(unit, film_);
         plan_.set_finished(pass, tile);
         samples_ += area_of(unit.tile) * (unit.end_sample - unit.first_sample);
-        if (options_.time_limit)
-            advance_by_time();
+        if (has_goal())
+            advance_by_share();
         else
             progress_.advance();
     }
 
-    /// Under a time limit the share that is done is that of the time or of the units, whichever is
-    /// larger.
-    void advance_by_time() {
-        const double of_time = seconds() / options_.time_limit->count();
-        const double of_units =
+    bool has_goal() const { return options_.time_limit || options_.noise_target; }
+
+    /// The share that is done is that of the time, of the way to the noise or of the units,
+    /// whichever is largest. For the display only.
+    void advance_by_share() {
+        double share =
             static_cast<double>(plan_.finished_units()) / static_cast<double>(plan_.units());
-        const auto steps =
-            static_cast<std::uint64_t>(kTimeSteps * std::min(1.0, std::max(of_time, of_units)));
+        if (options_.time_limit) share = std::max(share, seconds() / options_.time_limit->count());
+        share = std::min(1.0, std::max(share, noise_share_.load()));
+        const auto steps = static_cast<std::uint64_t>(kShareSteps * share);
         std::uint64_t shown = shown_steps_.load();
         while (steps > shown && !shown_steps_.compare_exchange_weak(shown, steps)) continue;
         if (steps > shown) progress_.advance(steps - shown);
@@ -103,9 +106,13 @@ private:
 
     bool stopped() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
 
-    bool is_clean_enough(std::int64_t samples_per_pixel) const {
-        return options_.noise_target && samples_per_pixel >= kLeastSamplesForNoise &&
-               relative_noise(film_) <= *options_.noise_target;
+    bool is_clean_enough(std::int64_t samples_per_pixel) {
+        if (!options_.noise_target) return false;
+        const double noise = relative_noise(film_);
+        // Noise falls with the root of the samples.
+        const double ratio = *options_.noise_target / noise;
+        noise_share_ = noise > 0.0 ? ratio * ratio : 1.0;
+        return samples_per_pixel >= kLeastSamplesForNoise && noise <= *options_.noise_target;
     }
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -117,6 +124,7 @@ private:
     Progress progress_;
     std::atomic<std::int64_t> samples_{0};
     std::atomic<std::uint64_t> shown_steps_{0};
+    std::atomic<double> noise_share_{0.0};
     const Clock::time_point start_ = Clock::now();
 };
 
