@@ -162,8 +162,8 @@ void warn_of_invalid_samples(const FilmSums& film, const Scene& scene,
     const InvalidSample first = film.first_invalid().front();
     const ReplayContext context{first.x, first.y, first.index, scene.render.seed};
     print_message(
-        fmt::format("warning: {} of {} samples were not finite or negative and are left out; the "
-                    "first is {}",
+        fmt::format("warning: {} of {} samples were invalid (not finite, negative or too large); "
+                    "the first is {}",
                     result.invalid_samples, result.samples, describe(context)));
 }
 
