@@ -15,6 +15,8 @@ namespace {
 using namespace gltf;
 
 constexpr std::string_view kKnownNodeExtensions[] = {"KHR_lights_punctual"};
+/// Most shapes (primitives times the nodes that place them) of a file.
+constexpr std::size_t kMaxShapes = std::size_t{1} << 22;
 
 /// The mesh as it lies in the world, for a transform that has no inverse: what is squeezed flat is
 /// still seen.
@@ -78,17 +80,33 @@ private:
         const Json mesh = document_.item("meshes", reference);
         std::string name = node.name.empty() ? mesh.text("name", "") : node.name;
         if (name.empty()) name = "mesh " + mesh.pointer().substr(mesh.pointer().rfind('/') + 1);
+        note_weights(mesh, name);
+        note_weights(node.json, name);
         const Json primitives = mesh.require("primitives");
         const std::size_t count = primitives.size();
         for (std::size_t i = 0; i < count; ++i) {
             const auto triangles = primitives_.read(primitives[i], mesh.text("name", name));
             if (!triangles) continue;
+            if (parsed_.scene.shapes.size() >= kMaxShapes) {
+                node.json.fail(fmt::format("the file shows more than {} shapes", kMaxShapes));
+            }
             Shape shape;
             shape.name = count == 1 ? name : fmt::format("{}/{}", name, i + 1);
             shape.geometry = triangles;
             shape.material = materials_.read(primitives[i].find("material"));
             note_vertex_colours(primitives[i], name);
             place(std::move(shape), *triangles, node);
+        }
+    }
+
+    /// Weights of morph targets, of the mesh or of its node, change the shape unless they are zero.
+    void note_weights(const Json& owner, const std::string& name) {
+        const auto weights = owner.find("weights");
+        for (std::size_t i = 0; weights && i < weights->size(); ++i) {
+            if ((*weights)[i].number(kCoordinateRange) == 0.0) continue;
+            document_.notes().add(weights->place(), "the morph targets of {} are not used",
+                                  fmt::format("mesh \"{}\"", name));
+            return;
         }
     }
 
@@ -104,6 +122,10 @@ private:
             shape.world_from_object = Transform<World, Object>(node.world_from_node);
             parsed_.scene.shapes.push_back(mirrors_.upright(std::move(shape)));
             return;
+        }
+        baked_triangles_ += mesh.triangles.size();
+        if (baked_triangles_ > kMaxTriangles) {
+            node.json.fail("too many triangles stand under transforms that have no inverse");
         }
         const auto flat = baked(mesh, node.world_from_node);
         if (flat->triangles.empty()) {
@@ -121,6 +143,7 @@ private:
     Primitives primitives_;
     Materials materials_;
     Mirrors mirrors_;
+    std::uint64_t baked_triangles_ = 0;
 };
 
 }  // namespace

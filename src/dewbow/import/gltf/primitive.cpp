@@ -125,9 +125,6 @@ std::shared_ptr<const Mesh> Primitives::read(const Json& primitive, const std::s
     }
     constexpr std::string_view kKnownExtensions[] = {"KHR_draco_mesh_compression"};
     note_extensions(document_, primitive, kKnownExtensions, who);
-    if (primitive.find("targets")) {
-        document_.notes().add(primitive.place(), "the morph targets of {} are not used", who);
-    }
     Mesh mesh = build(primitive);
     mesh.name = name;
     repairs_ += clean(mesh);

@@ -111,6 +111,7 @@ SpectrumPtr spectrum_of_table(const TomlDocument& document, const TomlValue& val
                               std::string_view name, SpectrumUse use) {
     Table table(document, value, fmt::format("the spectrum of {}", name));
     SpectrumPtr spectrum;
+    if (use != SpectrumUse::share) table.find("scale");  // read below
     if (is_light(use)) {
         table.at_most_one_of({"rgb", "illuminant", "blackbody_K", "lambda_nm", "lines_nm"});
         spectrum = light_of(table);

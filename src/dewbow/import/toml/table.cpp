@@ -50,8 +50,19 @@ const TomlValue* Table::find(std::string_view key) {
 
 const TomlValue& Table::require(std::string_view key) {
     const TomlValue* value = find(key);
-    if (!value) fail_here(fmt::format("needs {}", key));
+    if (!value) fail_missing({std::string(key)}, fmt::format("needs {}", key));
     return *value;
+}
+
+void Table::fail_missing(std::vector<std::string> keys, const std::string& sentence) const {
+    for (const TomlEntry& entry : entries_) {
+        if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+        const std::string meant = nearest_word(entry.key, keys);
+        if (meant.empty()) continue;
+        fail(document_, entry.key_place, fmt::format("unknown key \"{}\" in {}", entry.key, title_),
+             fmt::format("did you mean \"{}\"?", meant));
+    }
+    fail_here(sentence);
 }
 
 std::optional<double> Table::find_number(std::string_view key, const Range& range) {
@@ -108,7 +119,11 @@ std::optional<Length> Table::find_length(std::string_view stem) {
 
 Length Table::require_length(std::string_view stem) {
     const std::optional<Length> length = find_length(stem);
-    if (!length) fail_here(fmt::format("needs {0}_m (or {0}_cm or {0}_mm)", stem));
+    if (!length) {
+        fail_missing(
+            {fmt::format("{}_m", stem), fmt::format("{}_cm", stem), fmt::format("{}_mm", stem)},
+            fmt::format("needs {0}_m (or {0}_cm or {0}_mm)", stem));
+    }
     return *length;
 }
 
@@ -120,20 +135,21 @@ std::optional<Vec3> Table::find_point(std::string_view stem) {
 
 Vec3 Table::require_point(std::string_view stem) {
     const std::optional<Vec3> point = find_point(stem);
-    if (!point) fail_here(fmt::format("needs {} = [x, y, z] in metres", stem));
+    if (!point) {
+        fail_missing({std::string(stem)}, fmt::format("needs {} = [x, y, z] in metres", stem));
+    }
     return *point;
 }
 
 void Table::at_most_one_of(std::initializer_list<std::string_view> keys) {
-    const TomlEntry* found = nullptr;
+    std::vector<const TomlEntry*> found;
     for (const std::string_view key : keys) {
-        const TomlEntry* entry = find_entry(key);
-        if (entry && found) {
-            fail(document_, entry->key_place,
-                 fmt::format("{} has both {} and {}; keep one", title_, found->key, entry->key));
-        }
-        if (entry) found = entry;
+        if (const TomlEntry* entry = find_entry(key)) found.push_back(entry);
     }
+    if (found.size() < 2) return;
+    std::sort(found.begin(), found.end());  // in the order of the file
+    fail(document_, found[1]->key_place,
+         fmt::format("{} has both {} and {}; keep one", title_, found[0]->key, found[1]->key));
 }
 
 void Table::finish() const {
