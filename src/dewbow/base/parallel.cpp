@@ -102,19 +102,16 @@ void parallel_for(std::size_t count, const Body& body) {
     if (count == 0) return;
     const auto threads = static_cast<std::size_t>(thread_count());
     const std::size_t grain = std::max<std::size_t>(1, count / (kMostTasksPerThread * threads));
-    // An arena of its own size: the default arena never has more threads than the machine.
-    // Isolated, so that a thread that waits for an inner loop does not take up an iteration of an
-    // outer one.
+    // An arena for this loop alone: the default one never has more threads than the machine, and a
+    // thread that waits in an inner loop's arena does not take up an iteration of the outer loop.
     tbb::task_arena arena(static_cast<int>(threads));
     arena.execute([&] {
-        tbb::this_task_arena::isolate([&] {
-            tbb::parallel_for(
-                tbb::blocked_range<std::size_t>(0, count, grain),
-                [&](const tbb::blocked_range<std::size_t>& range) {
-                    run_range(body, range.begin(), range.end());
-                },
-                tbb::simple_partitioner());
-        });
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, grain),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                run_range(body, range.begin(), range.end());
+            },
+            tbb::simple_partitioner());
     });
 }
 

@@ -162,6 +162,13 @@ TEST(CosineHemisphere, AlwaysAboveTheHorizon) {
         }
 }
 
+TEST(CosineHemisphere, HeightAtTheRimIsExact) {
+    // r = 1 - 2^-53, so that z = sqrt(1 - r²) = 2^-26; computed from the rounded x and y it would
+    // be noise.
+    for (int i = 0; i < 1000; ++i)
+        ASSERT_DOUBLE_EQ(sample_cosine_hemisphere(0.0, i / 1000.0).v.z, 0x1p-26);
+}
+
 TEST(UniformTriangle, Moments) {
     const auto sample = [](double u0, double u1) {
         const Barycentric b = sample_uniform_triangle(u0, u1);
