@@ -73,7 +73,7 @@ constexpr WrongScene kWrongScenes[] = {
     {"[materials.a]\ntype = \"diffuse\"\nreflectance = [0, §2, 0]", "reflectance[1] is 2"},
     {"[materials.a]\ntype = \"glass\"\nglass = §\"schott/N-BK8\"", "schott/N-BK7"},
     {"§[materials.a]\ntype = \"glass\"", "needs one of glass, dispersion, ior"},
-    {"[materials.a]\ntype = \"glass\"\nior = 1.5\n§glass = \"water\"", "has both glass and ior"},
+    {"[materials.a]\ntype = \"glass\"\nior = 1.5\n§glass = \"water\"", "has both ior and glass"},
     {"[materials.a]\ntype = \"glass\"\nior = §0.5", "ior is 0.5; it must be between 1 and 10"},
     {"[materials.a]\ntype = \"glass\"\nior = 1.5\nabbe = §0", "abbe is 0"},
     {"[materials.a]\ntype = \"glass\"\ndispersion = {form = §\"selmeier\", coefficients = [1]}",
