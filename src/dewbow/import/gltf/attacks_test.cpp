@@ -247,10 +247,15 @@ TEST(GltfJson, NestingIsBounded) {
 
 std::string u32(std::uint32_t v) { return bytes_of<std::uint32_t>({v}); }
 
-std::string glb(const std::string& json, const std::string& binary) {
-    const std::string body = u32(std::uint32_t(json.size())) + "JSON" + json +
-                             u32(std::uint32_t(binary.size())) + std::string("BIN\0", 4) + binary;
-    return "glTF" + u32(2) + u32(std::uint32_t(body.size() + 12)) + body;
+std::string chunk(std::string_view kind, std::string_view bytes) {
+    std::string result = u32(std::uint32_t(bytes.size()));
+    return result.append(kind).append(bytes);
+}
+
+std::string glb(std::string_view json, std::string_view binary) {
+    const std::string body = chunk("JSON", json).append(chunk({"BIN\0", 4}, binary));
+    std::string result = "glTF";
+    return result.append(u32(2)).append(u32(std::uint32_t(body.size() + 12))).append(body);
 }
 
 /// The triangle of `Parts` with its bytes in the binary chunk.
