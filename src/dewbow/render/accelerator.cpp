@@ -4,11 +4,14 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "dewbow/base/check.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/render/analytic_shape.h"
+#include "dewbow/render/convex_solid.h"
+#include "dewbow/render/undisturbed.h"
 
 namespace dewbow {
 
@@ -18,24 +21,23 @@ namespace {
 /// starts on it: it left the other triangle of a flat facet. Some hundred times the rounding of
 /// that distance.
 constexpr double kSamePlane = 1e-13;
+/// Fewer rays than this go through the tree one by one.
+constexpr int kLeastForPacket = 4;
 /// Things nearer to a light than this share of the distance do not hide it: rounding of the light's
 /// point.
 constexpr double kBeforeLight = 1.0 - 1e-9;
 
-const char* pinned_isa() { return __builtin_cpu_supports("avx2") ? "avx2" : "sse4.2"; }
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Plane of a triangle, n · x = d.
-struct alignas(32) TrianglePlane {
-    Vec3 normal;
-    double distance;
-};
+const char* pinned_isa() { return __builtin_cpu_supports("avx2") ? "avx2" : "sse4.2"; }
 
 /// A mesh in the world frame.
 struct WorldMesh {
     int shape = 0;
     bool see_through = false;
-    std::vector<TrianglePlane> planes;
-    std::vector<Vec3> normals;  ///< one a vertex, or empty
+    std::vector<FacetPlane> planes;
+    std::vector<Vec3> normals;  ///< one a vertex, or empty: flat
+    std::optional<ConvexSolid> solid;
     const std::vector<std::array<std::uint32_t, 3>>* triangles = nullptr;
 };
 
@@ -46,6 +48,18 @@ struct Query {
     std::array<double, kMaxLanes> t;  ///< nearest hit so far; the limit, for shadow rays
     double scale;
 };
+/// Whether the vertex normals, if any, say no more than the triangles themselves.
+bool flat(const Mesh& mesh, const WorldMesh& world) {
+    constexpr double kSameNormal = 1e-5;  // normals in files are floats or less
+    if (world.normals.empty()) return true;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (const std::uint32_t corner : mesh.triangles[i]) {
+            const Vec3 apart = normalised(world.normals[corner]) - world.planes[i].normal;
+            if (!(dot(apart, apart) < kSameNormal * kSameNormal)) return false;
+        }
+    return true;
+}
+
 Query& query_of(RTCIntersectContext* context) { return *reinterpret_cast<Query*>(context); }
 
 }  // namespace
@@ -60,9 +74,13 @@ struct Accelerator::Tree {
     std::vector<Bounds> analytic_bounds;
     std::vector<AnalyticShape> planes;
     std::vector<int> plane_shape;
-    std::vector<int> mesh_of_shape;  // index into meshes, −1 for analytic shapes
+    std::vector<int> mesh_of_shape;      // index into meshes, −1 for analytic shapes
+    std::vector<int> analytic_of_shape;  // index into analytic, −1 for the others
     std::vector<bool> see_through;
+    /// One a shape: convex, with nothing else inside, so that rays within it need not ask the tree.
+    std::vector<bool> undisturbed;
 
+    LaneMask leave_undisturbed(const RayLanes& rays, LaneMask mask, HitLanes& hits) const;
     void add_mesh(const Shape& shape, int index);
     void attach_analytic();
     void finish_lane(const RayLanes& rays, int k, Hit& hit) const;
@@ -88,7 +106,7 @@ void Accelerator::Tree::filter(const RTCFilterFunctionNArguments* args) {
         const RayLanes& rays = *query.rays;
         const SurfaceFrom& from = rays.from[k];
         const bool same_shape = from.shape == mesh.shape;
-        const TrianglePlane& plane = mesh.planes[std::size_t(primitive)];
+        const FacetPlane& plane = mesh.planes[std::size_t(primitive)];
         const double height = plane.distance - dot(plane.normal, rays.origin(int(k)));
         const double t = height / dot(plane.normal, rays.direction(int(k)));
         bool accept = t > 0.0 && t < query.t[k];
@@ -150,6 +168,10 @@ void Accelerator::Tree::add_mesh(const Shape& shape, int index) {
         const Vec3 n = side * cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
         const Vec3 unit_normal = length(n) > 0.0 ? normalised(n) : Vec3{0, 0, 1};
         world.planes.push_back({unit_normal, dot(unit_normal, vertices[a])});
+    }
+    if (flat(mesh, world)) {
+        world.normals.clear();
+        world.solid = ConvexSolid::from_triangles(vertices, mesh.triangles, world.planes);
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* floats = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -223,6 +245,7 @@ Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
         tree.mesh_of_shape.push_back(-1);
+        tree.analytic_of_shape.push_back(-1);
         if (!AnalyticShape::holds(shape.geometry)) {
             tree.mesh_of_shape.back() = int(tree.meshes.size());
             tree.add_mesh(shape, int(i));
@@ -230,6 +253,7 @@ Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
             tree.planes.push_back(analytic);
             tree.plane_shape.push_back(int(i));
         } else {
+            tree.analytic_of_shape.back() = int(tree.analytic.size());
             tree.analytic.push_back(analytic);
             tree.analytic_shape.push_back(int(i));
             tree.analytic_bounds.push_back(bounds_of(shape));
@@ -238,6 +262,12 @@ Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
     for (std::size_t i = 0; i < tree.meshes.size(); ++i)
         rtcSetGeometryUserData(rtcGetGeometry(tree.scene, unsigned(i)), &tree.meshes[i]);
     tree.attach_analytic();
+    std::vector<const ConvexSolid*> solids;
+    for (const int mesh : tree.mesh_of_shape) {
+        const bool convex = mesh >= 0 && tree.meshes[std::size_t(mesh)].solid;
+        solids.push_back(convex ? &*tree.meshes[std::size_t(mesh)].solid : nullptr);
+    }
+    tree.undisturbed = find_undisturbed(scene, solids);
     rtcCommitScene(tree.scene);
     const RTCError error = rtcGetDeviceError(tree.device);
     DEWBOW_CHECK(error == RTC_ERROR_NONE, "Embree could not build the scene");
@@ -308,8 +338,6 @@ Query make_query(const RayLanes& rays, double limit, double scale, bool coherent
     return query;
 }
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 /// Fills in what Embree's record leaves out; `hit` holds geometry and primitive IDs.
@@ -330,6 +358,45 @@ void Accelerator::Tree::finish_lane(const RayLanes& rays, int k, Hit& hit) const
     if (!planes.empty()) meet_planes(rays, k, hit);
 }
 
+/// Lanes that are inside a body with nothing in it: their hits, without the tree. Returns the
+/// others.
+LaneMask Accelerator::Tree::leave_undisturbed(const RayLanes& rays, LaneMask mask,
+                                              HitLanes& hits) const {
+    LaneMask others = 0;
+    for (LaneMask rest = mask; rest;) {
+        const int first = std::countr_zero(rest);
+        const SurfaceFrom& from = rays.from[std::size_t(first)];
+        LaneMask group = 0;
+        for (LaneMask m = rest; m; m &= m - 1) {
+            const int k = std::countr_zero(m);
+            const SurfaceFrom& other = rays.from[std::size_t(k)];
+            group |= LaneMask(other.shape == from.shape && other.inward == from.inward) << k;
+        }
+        rest &= ~group;
+        if (from.shape < 0 || !from.inward || !undisturbed[std::size_t(from.shape)]) {
+            others |= group;
+            continue;
+        }
+        for (LaneMask m = group; m; m &= m - 1)
+            hits[std::size_t(std::countr_zero(m))].shape = from.shape;
+        const int mesh = mesh_of_shape[std::size_t(from.shape)];
+        if (mesh >= 0) {
+            meshes[std::size_t(mesh)].solid->leave(rays, group, hits);
+            continue;
+        }
+        const AnalyticShape& shape =
+            analytic[std::size_t(analytic_of_shape[std::size_t(from.shape)])];
+        for (LaneMask m = group; m; m &= m - 1) {
+            const int k = std::countr_zero(m);
+            Hit& hit = hits[std::size_t(k)];
+            shape.intersect(rays.origin(k), rays.direction(k), true, true, kUnlimited, hit.t,
+                            hit.primitive);
+            hit.normal = shape.normal(rays.origin(k) + rays.direction(k) * hit.t, hit.primitive);
+        }
+    }
+    return others;
+}
+
 Hit Accelerator::intersect(const Ray& ray) const {
     RayLanes rays;
     rays.count = 1;
@@ -341,42 +408,42 @@ Hit Accelerator::intersect(const Ray& ray) const {
 
 void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits) const {
     const Tree& tree = *tree_;
+    mask = tree.leave_undisturbed(rays, mask, hits);
+    if (!mask) return;
     Query query = make_query(rays, kUnlimited, tree.scale, rays.count > 1);
+    const auto finish = [&](int k, unsigned geometry, unsigned primitive, float u, float v) {
+        Hit& hit = hits[std::size_t(k)];
+        hit.shape = int(geometry);
+        hit.primitive = int(primitive);
+        hit.u = double(u);
+        hit.v = double(v);
+        hit.t = query.t[std::size_t(k)];
+        tree.finish_lane(rays, k, hit);
+    };
+    if (std::popcount(mask) < kLeastForPacket) {
+        for (LaneMask m = mask; m; m &= m - 1) {
+            const int k = std::countr_zero(m);
+            RTCRayHit single;
+            single.ray = load_ray(rays.ray(k), std::numeric_limits<float>::infinity());
+            single.ray.id = unsigned(k);
+            single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(tree.scene, &query.context, &single);
+            finish(k, single.hit.geomID, single.hit.primID, single.hit.u, single.hit.v);
+        }
+        return;
+    }
     alignas(64) std::array<int, kMaxLanes> valid;
     for (int k = 0; k < kMaxLanes; ++k) valid[std::size_t(k)] = (mask >> k & 1u) ? -1 : 0;
-
-    const auto take = [&](const auto& hit_of) {
-        for (int k = 0; k < rays.count; ++k) {
-            if (!(mask >> k & 1u)) continue;
-            Hit& hit = hits[std::size_t(k)];
-            hit_of(k, hit);
-            hit.t = query.t[std::size_t(k)];
-            tree.finish_lane(rays, k, hit);
-        }
-    };
     const auto trace_packet = [&](auto& packet, auto&& trace, int width) {
         load_ray(rays, width, packet);
         trace(valid.data(), tree.scene, &query.context, &packet);
-        take([&](int k, Hit& hit) {
-            hit.shape = int(packet.hit.geomID[k]);
-            hit.primitive = int(packet.hit.primID[k]);
-            hit.u = double(packet.hit.u[k]);
-            hit.v = double(packet.hit.v[k]);
-        });
+        for (LaneMask m = mask; m; m &= m - 1) {
+            const int k = std::countr_zero(m);
+            finish(k, packet.hit.geomID[k], packet.hit.primID[k], packet.hit.u[k], packet.hit.v[k]);
+        }
     };
-    if (rays.count == 1) {
-        RTCRayHit single;
-        single.ray = load_ray(rays.ray(0), std::numeric_limits<float>::infinity());
-        single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(tree.scene, &query.context, &single);
-        take([&](int, Hit& hit) {
-            hit.shape = int(single.hit.geomID);
-            hit.primitive = int(single.hit.primID);
-            hit.u = double(single.hit.u);
-            hit.v = double(single.hit.v);
-        });
-    } else if (rays.count <= 4) {
+    if (rays.count <= 4) {
         RTCRayHit4 packet;
         trace_packet(packet, rtcIntersect4, 4);
     } else if (rays.count <= 8) {

@@ -3,14 +3,7 @@
 
 #include <cmath>
 
-// One function body, compiled for several instruction sets. (Sanitizers run before the resolver
-// that picks one is ready, so their builds take the plain one.)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define DEWBOW_SIMD __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#else
-#define DEWBOW_SIMD
-#endif
+#include "dewbow/render/simd.h"
 
 namespace dewbow {
 
