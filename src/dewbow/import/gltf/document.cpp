@@ -8,6 +8,7 @@
 #include "dewbow/base/file.h"
 #include "dewbow/import/gltf/extensions.h"
 #include "dewbow/import/gltf/uri.h"
+#include "dewbow/import/nested_error.h"
 
 namespace dewbow::gltf {
 
@@ -87,7 +88,7 @@ std::string Document::load_buffer(const Json& uri) const {
     try {
         return read_file(resolve_inside(folder_, *reference));
     } catch (const InputError& error) {
-        uri.fail(error.sentence(), error.hint());
+        uri.fail(sentence_with_place(error), error.hint());
     }
 }
 

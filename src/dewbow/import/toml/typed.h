@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dewbow/base/error.h"
+#include "dewbow/import/nested_error.h"
 #include "dewbow/import/range.h"
 #include "dewbow/import/toml/toml_value.h"
 #include "dewbow/math/vector.h"
@@ -44,7 +45,7 @@ auto at_place(const TomlDocument& document, TomlPlace place, Make make) {
     try {
         return make();
     } catch (const InputError& error) {
-        fail(document, place, error.sentence(), error.hint());
+        fail(document, place, sentence_with_place(error), error.hint());
     }
 }
 
