@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "dewbow/base/check.h"
 #include "dewbow/base/parallel.h"
@@ -49,7 +50,7 @@ struct Query {
     double scale;
 };
 /// Whether the vertex normals, if any, say no more than the triangles themselves.
-bool flat(const Mesh& mesh, const WorldMesh& world) {
+bool normals_are_flat(const Mesh& mesh, const WorldMesh& world) {
     constexpr double kSameNormal = 1e-5;  // normals in files are floats or less
     if (world.normals.empty()) return true;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -80,7 +81,8 @@ struct Accelerator::Tree {
     /// One a shape: convex, with nothing else inside, so that rays within it need not ask the tree.
     std::vector<bool> undisturbed;
 
-    LaneMask leave_undisturbed(const RayLanes& rays, LaneMask mask, HitLanes& hits) const;
+    LaneMask leave_undisturbed(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
+    void intersect(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     void add_mesh(const Shape& shape, int index);
     void attach_analytic();
     void finish_lane(const RayLanes& rays, int k, Hit& hit) const;
@@ -169,7 +171,7 @@ void Accelerator::Tree::add_mesh(const Shape& shape, int index) {
         const Vec3 unit_normal = length(n) > 0.0 ? normalised(n) : Vec3{0, 0, 1};
         world.planes.push_back({unit_normal, dot(unit_normal, vertices[a])});
     }
-    if (flat(mesh, world)) {
+    if (normals_are_flat(mesh, world)) {
         world.normals.clear();
         world.solid = ConvexSolid::from_triangles(vertices, mesh.triangles, world.planes);
     }
@@ -361,7 +363,7 @@ void Accelerator::Tree::finish_lane(const RayLanes& rays, int k, Hit& hit) const
 /// Lanes that are inside a body with nothing in it: their hits, without the tree. Returns the
 /// others.
 LaneMask Accelerator::Tree::leave_undisturbed(const RayLanes& rays, LaneMask mask,
-                                              HitLanes& hits) const {
+                                              std::span<Hit> hits) const {
     LaneMask others = 0;
     for (LaneMask rest = mask; rest;) {
         const int first = std::countr_zero(rest);
@@ -401,16 +403,19 @@ Hit Accelerator::intersect(const Ray& ray) const {
     RayLanes rays;
     rays.count = 1;
     rays.set(0, ray);
-    HitLanes hits;
-    intersect(rays, 1u, hits);
-    return hits[0];
+    Hit hit;
+    tree_->intersect(rays, 1u, std::span(&hit, 1));
+    return hit;
 }
 
 void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits) const {
-    const Tree& tree = *tree_;
-    mask = tree.leave_undisturbed(rays, mask, hits);
+    tree_->intersect(rays, mask, hits);
+}
+
+void Accelerator::Tree::intersect(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const {
+    mask = leave_undisturbed(rays, mask, hits);
     if (!mask) return;
-    Query query = make_query(rays, kUnlimited, tree.scale, rays.count > 1);
+    Query query = make_query(rays, kUnlimited, scale, rays.count > 1);
     const auto finish = [&](int k, unsigned geometry, unsigned primitive, float u, float v) {
         Hit& hit = hits[std::size_t(k)];
         hit.shape = int(geometry);
@@ -418,7 +423,7 @@ void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits)
         hit.u = double(u);
         hit.v = double(v);
         hit.t = query.t[std::size_t(k)];
-        tree.finish_lane(rays, k, hit);
+        finish_lane(rays, k, hit);
     };
     if (std::popcount(mask) < kLeastForPacket) {
         for (LaneMask m = mask; m; m &= m - 1) {
@@ -428,7 +433,7 @@ void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits)
             single.ray.id = unsigned(k);
             single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
             single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(tree.scene, &query.context, &single);
+            rtcIntersect1(scene, &query.context, &single);
             finish(k, single.hit.geomID, single.hit.primID, single.hit.u, single.hit.v);
         }
         return;
@@ -437,7 +442,7 @@ void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits)
     for (int k = 0; k < kMaxLanes; ++k) valid[std::size_t(k)] = (mask >> k & 1u) ? -1 : 0;
     const auto trace_packet = [&](auto& packet, auto&& trace, int width) {
         load_ray(rays, width, packet);
-        trace(valid.data(), tree.scene, &query.context, &packet);
+        trace(valid.data(), scene, &query.context, &packet);
         for (LaneMask m = mask; m; m &= m - 1) {
             const int k = std::countr_zero(m);
             finish(k, packet.hit.geomID[k], packet.hit.primID[k], packet.hit.u[k], packet.hit.v[k]);
@@ -477,15 +482,20 @@ bool Accelerator::occluded(const Ray& ray, double distance) const {
 }
 
 Vec3 Accelerator::shading_normal(const Hit& hit) const {
-    const int which = tree_->mesh_of_shape[std::size_t(hit.shape)];
-    if (which < 0 || tree_->meshes[std::size_t(which)].normals.empty()) return hit.normal;
-    const WorldMesh& mesh = tree_->meshes[std::size_t(which)];
+    if (flat(hit.shape)) return hit.normal;
+    const WorldMesh& mesh =
+        tree_->meshes[std::size_t(tree_->mesh_of_shape[std::size_t(hit.shape)])];
     const auto& [a, b, c] = (*mesh.triangles)[std::size_t(hit.primitive)];
     const Vec3 n =
         mesh.normals[a] * (1.0 - hit.u - hit.v) + mesh.normals[b] * hit.u + mesh.normals[c] * hit.v;
     const double squared = dot(n, n);
     if (!(squared > 0.0) || dot(n, hit.normal) <= 0.0) return hit.normal;
     return n / std::sqrt(squared);
+}
+
+bool Accelerator::flat(int shape) const {
+    const int which = tree_->mesh_of_shape[std::size_t(shape)];
+    return which < 0 || tree_->meshes[std::size_t(which)].normals.empty();
 }
 
 std::string accelerator_fingerprint() {

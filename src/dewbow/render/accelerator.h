@@ -33,6 +33,8 @@ public:
     /// Unit normal for shading at `hit`: interpolated where a mesh brings normals, else hit.normal.
     /// On the outward side of the true surface.
     Vec3 shading_normal(const Hit& hit) const;
+    /// Whether the shading normal of that shape is its true normal everywhere.
+    bool flat(int shape) const;
 
 private:
     struct Tree;

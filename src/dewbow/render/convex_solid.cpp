@@ -211,7 +211,7 @@ void ConvexSolid::set_hit(int facet, const RayLanes& rays, int lane, Hit& hit) c
 }
 
 LaneMask ConvexSolid::try_facet(int facet, const RayLanes& rays, LaneMask mask,
-                                HitLanes& hits) const {
+                                std::span<Hit> hits) const {
     const FacetPlane& plane = facets_[std::size_t(facet)];
     const std::vector<FacetPlane>& neighbours = neighbours_[std::size_t(facet)];
     alignas(64) std::array<double, kMaxLanes> t, within;
@@ -234,7 +234,7 @@ LaneMask ConvexSolid::try_facet(int facet, const RayLanes& rays, LaneMask mask,
     return left;
 }
 
-void ConvexSolid::leave(const RayLanes& rays, LaneMask mask, HitLanes& hits) const {
+void ConvexSolid::leave(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const {
     while (mask) {
         const int lane = std::countr_zero(mask);
         const int facet = search(rays.origin(lane), rays.direction(lane));

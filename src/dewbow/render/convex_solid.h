@@ -6,6 +6,7 @@
 // one lane searches all facets and the others first try the one that it found.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dewbow/render/ray.h"
@@ -32,14 +33,14 @@ public:
 
     /// Where the lanes in `mask` leave the solid; each starts on its surface and goes inward. Sets
     /// t, primitive (a triangle of the facet) and normal.
-    void leave(const RayLanes& rays, LaneMask mask, HitLanes& hits) const;
+    void leave(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
 
     const std::vector<FacetPlane>& facets() const { return facets_; }
 
 private:
     /// The facet by which one ray leaves.
     int search(Vec3 origin, Vec3 direction) const;
-    LaneMask try_facet(int facet, const RayLanes& rays, LaneMask mask, HitLanes& hits) const;
+    LaneMask try_facet(int facet, const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     void set_hit(int facet, const RayLanes& rays, int lane, Hit& hit) const;
 
     std::vector<FacetPlane> facets_;

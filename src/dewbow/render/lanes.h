@@ -10,9 +10,9 @@
 
 namespace dewbow {
 
-/// One number a lane.
+/// One number a lane. Not initialised: only the lanes that are carried are written and read.
 struct alignas(64) LaneValues {
-    std::array<double, kMaxLanes> v{};
+    std::array<double, kMaxLanes> v;
     double operator[](int k) const { return v[std::size_t(k)]; }
     double& operator[](int k) { return v[std::size_t(k)]; }
     std::span<double> first(int count) { return {v.data(), std::size_t(count)}; }
@@ -20,7 +20,7 @@ struct alignas(64) LaneValues {
 
 struct LaneSet {
     int count = 0;
-    std::array<int, kMaxLanes> id{};  ///< which lane of the packet
+    std::array<int, kMaxLanes> id;  ///< which lane of the packet
     LaneValues lambda_nm;
 
     static LaneSet all(const WavelengthPacket& packet) {

@@ -39,11 +39,11 @@ struct Hit {
 /// A set of lanes, bit k for lane k.
 using LaneMask = std::uint32_t;
 
-/// Rays of a packet, as a structure of arrays.
+/// Rays of a packet, as a structure of arrays. Not initialised: set each lane below `count`.
 struct RayLanes {
     int count = 0;
-    alignas(64) std::array<double, kMaxLanes> ox{}, oy{}, oz{}, dx{}, dy{}, dz{};
-    std::array<SurfaceFrom, kMaxLanes> from{};
+    alignas(64) std::array<double, kMaxLanes> ox, oy, oz, dx, dy, dz;
+    std::array<SurfaceFrom, kMaxLanes> from;
 
     Vec3 origin(int k) const { return {ox[k], oy[k], oz[k]}; }
     Vec3 direction(int k) const { return {dx[k], dy[k], dz[k]}; }

@@ -24,17 +24,7 @@ inline Interface interface_at(double cos_i, double eta) {
 
 }  // namespace
 
-DEWBOW_SIMD void reflectance_lanes(int count, const RayLanes& rays, BoundaryLanes& boundary) {
-    for (int k = 0; k < count; ++k) {
-        const auto i = std::size_t(k);
-        const double cosine = -(rays.dx[i] * boundary.nx.v[i] + rays.dy[i] * boundary.ny.v[i] +
-                                rays.dz[i] * boundary.nz.v[i]);
-        const double cos_i = cosine > 1e-300 ? cosine : 1e-300;
-        boundary.reflectance.v[i] = interface_at(cos_i, boundary.eta.v[i]).reflectance;
-    }
-}
-
-DEWBOW_SIMD void refract_or_reflect_lanes(int count, double u, RayLanes& rays,
+DEWBOW_SIMD void refract_or_reflect_lanes(int count, double u, const RayLanes& rays,
                                           BoundaryLanes& boundary) {
     for (int k = 0; k < count; ++k) {
         const auto i = std::size_t(k);
@@ -53,10 +43,9 @@ DEWBOW_SIMD void refract_or_reflect_lanes(int count, double u, RayLanes& rays,
         const double y = along * dy + across * ny;
         const double z = along * dz + across * nz;
         const double scale = 1.0 / std::sqrt(x * x + y * y + z * z);
-        rays.dx[i] = x * scale;
-        rays.dy[i] = y * scale;
-        rays.dz[i] = z * scale;
-        boundary.reflectance.v[i] = at.reflectance;
+        boundary.dx.v[i] = x * scale;
+        boundary.dy.v[i] = y * scale;
+        boundary.dz.v[i] = z * scale;
         boundary.reflected.v[i] = reflects ? 1.0 : 0.0;
     }
 }

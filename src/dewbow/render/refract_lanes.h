@@ -11,17 +11,14 @@
 namespace dewbow {
 
 struct BoundaryLanes {
-    LaneValues nx, ny, nz;   ///< unit normals that face the rays
-    LaneValues eta;          ///< n_t / n_i of each lane
-    LaneValues reflectance;  ///< out: unpolarised
-    LaneValues reflected;    ///< out: 1 if the lane was reflected, else 0
+    LaneValues nx, ny, nz;  ///< in: unit normals that face the rays
+    LaneValues eta;         ///< in: n_t / n_i
+    LaneValues dx, dy, dz;  ///< out: the new directions
+    LaneValues reflected;   ///< out: 1 where the lane was reflected, else 0
 };
 
-/// Fresnel's reflectance of each of the first `count` lanes, for the directions in `rays`.
-void reflectance_lanes(int count, const RayLanes& rays, BoundaryLanes& boundary);
-
-/// Turns the first `count` directions in `rays`: reflected where `u` is below the lane's
-/// reflectance, refracted elsewhere, with the same `u` for all lanes.
-void refract_or_reflect_lanes(int count, double u, RayLanes& rays, BoundaryLanes& boundary);
+/// The first `count` rays beyond the boundary: reflected where `u` is below the lane's own
+/// reflectance (unpolarised), refracted elsewhere, with the same `u` for all lanes.
+void refract_or_reflect_lanes(int count, double u, const RayLanes& rays, BoundaryLanes& boundary);
 
 }  // namespace dewbow

@@ -146,6 +146,7 @@ private:
 
     // Helpers.
     Vertex vertex_at(const Ray& ray, const Hit& hit) const;
+    Vec3 facing_normal(Vec3 direction, const Hit& hit, bool front) const;
     const Material& material_at(const Hit& hit, std::uint32_t vertex, int& id) const;
     Boundary boundary_at(MediaStack media, bool front, int id) const;
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
@@ -498,34 +499,29 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
         return;
     }
     BoundaryLanes lanes;
-    LaneValues eta;
-    indices(path.lanes, boundary, eta);
-    RayLanes turned = path.rays;
-    const double side = front ? 1.0 : -1.0;
+    indices(path.lanes, boundary, lanes.eta);
     std::array<Vec3, kMaxLanes> position;
     for (int k = 0; k < count; ++k) {
         const auto i = std::size_t(k);
-        lanes.eta.v[i] = eta.v[i];
-        Vec3 n = -path.rays.direction(k);
+        Vec3 n{};  // lanes outside the group are computed along and not used
         if (group >> k & 1u) {
-            const Vertex vertex = vertex_at(path.rays.ray(k), hits[i]);
-            position[i] = vertex.position;
-            n = mirror_normal(vertex);
+            position[i] = path.rays.origin(k) + path.rays.direction(k) * hits[i].t;
+            n = facing_normal(path.rays.direction(k), hits[i], front);
         }
         lanes.nx.v[i] = n.x, lanes.ny.v[i] = n.y, lanes.nz.v[i] = n.z;
     }
     const double u = key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe);
-    refract_or_reflect_lanes(count, u, turned, lanes);
+    refract_or_reflect_lanes(count, u, path.rays, lanes);
     LaneMask refracted = 0;
-    for (int k = 0; k < count; ++k) {
-        if (!(group >> k & 1u)) continue;
+    for (LaneMask rest = group; rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
         const auto i = std::size_t(k);
         const bool reflects = lanes.reflected.v[i] != 0.0;
         refracted |= LaneMask(!reflects) << k;
-        const bool inward = (side > 0.0) != reflects;
         path.media[i] = reflects ? boundary.before : boundary.after;
-        path.rays.set(
-            k, {position[i], turned.direction(k), {hits[i].shape, hits[i].primitive, inward}});
+        path.rays.set(k, {position[i],
+                          {lanes.dx.v[i], lanes.dy.v[i], lanes.dz.v[i]},
+                          {hits[i].shape, hits[i].primitive, front != reflects}});
         path.from_specular[i] = true;
     }
     if (glass.tint) tint(glass.tint, path.lanes, path.beta, refracted);
@@ -742,6 +738,12 @@ Vertex Tracer::vertex_at(const Ray& ray, const Hit& hit) const {
     v.shape = hit.shape;
     v.primitive = hit.primitive;
     return v;
+}
+
+/// The normal that a smooth boundary turns rays by: on the side that the ray comes from.
+Vec3 Tracer::facing_normal(Vec3 direction, const Hit& hit, bool front) const {
+    if (prepared_.accelerator.flat(hit.shape)) return front ? hit.normal : -hit.normal;
+    return mirror_normal(vertex_at({{}, direction, {}}, hit));
 }
 
 const Material& Tracer::material_at(const Hit& hit, std::uint32_t vertex, int& id) const {
