@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "dewbow/base/file.h"
 #include "dewbow/import/gltf/test_document.h"
+#include "dewbow/import/toml/scene_toml.h"
 #include "dewbow/spectrum/cie.h"
 
 namespace dewbow {
@@ -92,6 +94,18 @@ TEST_F(ImportTest, AMeshWithoutAreaIsAnError) {
     EXPECT_NE(error_of(write("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"))
                   .find("has no triangle with an area"),
               std::string::npos);
+}
+
+TEST(SceneFormatManual, ItsExampleIsAScene) {
+    const std::string manual =
+        read_file(std::filesystem::path(DEWBOW_SOURCE_DIR) / "docs" / "scene-format.md");
+    const std::string fence = "```toml\n";
+    const std::size_t begin = manual.find(fence) + fence.size();
+    const std::size_t end = manual.find("```", begin);
+    ASSERT_LT(begin, end);
+    const ParsedScene parsed = parse_scene_toml("manual.toml", manual.substr(begin, end - begin));
+    EXPECT_EQ(parsed.scene.shapes.size(), 1u);
+    EXPECT_TRUE(parsed.has_camera);
 }
 
 // ---- imports of scene.toml ---------------------------------------------------------------------

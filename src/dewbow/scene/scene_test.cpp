@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "dewbow/base/error.h"
 #include "dewbow/spectrum/cie.h"
@@ -45,8 +46,9 @@ TEST(Bounds, OfTurnedRoundShapesAreTight) {
     const Affine turned = translation({5, 0, 0}) * rotation({1, 0, 0}, 30.0 * deg);
     // A ball turned is the same ball; the box around its box would not be.
     expect_bounds(bounds_of(shape_of(Sphere{1.0 * m}, turned)), {4, -1, -1}, {6, 1, 1});
-    expect_bounds(bounds_of(shape_of(Disc{1.0 * m}, turned)), {4, -std::cos(M_PI / 6), -0.5},
-                  {6, std::cos(M_PI / 6), 0.5});
+    expect_bounds(bounds_of(shape_of(Disc{1.0 * m}, turned)),
+                  {4, -std::cos(std::numbers::pi / 6), -0.5},
+                  {6, std::cos(std::numbers::pi / 6), 0.5});
     expect_bounds(bounds_of(shape_of(Sphere{1.0 * m}, scaling({1, 2, 3}))), {-1, -2, -3},
                   {1, 2, 3});
 }

@@ -211,7 +211,7 @@ TEST(GltfAttacks, ManyNodesAreTaken) {
     parts.roots = "[0";
     for (int i = 1; i < 100'000; ++i) {
         parts.nodes += ",{}";
-        parts.roots += "," + std::to_string(i);
+        parts.roots.append(",").append(std::to_string(i));
     }
     parts.nodes += "]";
     parts.roots += "]";

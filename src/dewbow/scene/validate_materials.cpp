@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "dewbow/scene/checks.h"
+
+namespace dewbow::checks {
+namespace {
+
+struct CheckSurface {
+    const std::string& who;
+    const Scene& scene;
+
+    void operator()(const Black&) const {}
+    void operator()(const Diffuse& s) const { check_share(who, "reflectance", s.reflectance); }
+    void operator()(const Mirror& s) const { check_share(who, "reflectance", s.reflectance); }
+    void operator()(const Dielectric& s) const {
+        check_medium(who, s.interior);
+        check_range(who, "roughness", s.roughness, 0.0, 1.0);
+        if (s.tint) check_share(who, "tint", s.tint);
+    }
+    void operator()(const ThinDielectric& s) const {
+        if (!s.index) fail(who, "its index of refraction is missing");
+        if (s.tint) check_share(who, "tint", s.tint);
+    }
+    void operator()(const MetallicRoughness& s) const {
+        check_share(who, "base colour", s.base_colour);
+        check_range(who, "metalness", s.metalness, 0.0, 1.0);
+        check_range(who, "roughness", s.roughness, 0.0, 1.0);
+        check_range(who, "index of refraction", s.ior, 1.0, 10.0);
+    }
+    void operator()(const Mix& s) const {
+        check_index(who, "the first material of the mix", s.first, scene.materials.size());
+        check_index(who, "the second material of the mix", s.second, scene.materials.size());
+        check_range(who, "the share of the second material", s.second_share, 0.0, 1.0);
+    }
+};
+
+std::string name_of(const Material& material) {
+    return fmt::format("material \"{}\"", material.name);
+}
+
+enum class Visit : char { not_yet, under_way, done };
+
+/// Mixes may hold mixes, but none itself. The indices are known to be in range.
+void check_no_cycle(const Scene& scene, int index, std::vector<Visit>& visits, int depth) {
+    constexpr int kMaxMixDepth = 64;
+    Visit& visit = visits[std::size_t(index)];
+    const Material& material = scene.materials[std::size_t(index)];
+    if (visit == Visit::under_way) fail(name_of(material), "this mix contains itself");
+    if (depth > kMaxMixDepth) fail(name_of(material), "mixes are nested more than 64 deep");
+    if (visit == Visit::done) return;
+    visit = Visit::under_way;
+    if (const auto* mix = std::get_if<Mix>(&material.surface)) {
+        check_no_cycle(scene, mix->first, visits, depth + 1);
+        check_no_cycle(scene, mix->second, visits, depth + 1);
+    }
+    visit = Visit::done;
+}
+
+}  // namespace
+
+void check_materials(const Scene& scene) {
+    for (const Material& material : scene.materials) {
+        const std::string who = name_of(material);
+        std::visit(CheckSurface{who, scene}, material.surface);
+        if (material.emission) check_spectrum(who, "emission", material.emission);
+    }
+    std::vector<Visit> visits(scene.materials.size(), Visit::not_yet);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        check_no_cycle(scene, int(i), visits, 0);
+}
+
+}  // namespace dewbow::checks
