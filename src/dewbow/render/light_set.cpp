@@ -68,6 +68,12 @@ double distance_to_sphere(Vec3 centre_from_here, double radius, Vec3 direction) 
     return along - std::sqrt(std::max(0.0, radius * radius - dot(aside, aside)));
 }
 
+/// Radiance of a disc in the sky that gives irradiance 1 to a surface which faces it: 1 / (π sin²
+/// α), with 1 − cos α = `width`. Beyond the hemisphere nothing is added.
+double radiance_of_disc(double width) {
+    return 1.0 / (kPi * (width < 1.0 ? width * (2.0 - width) : 1.0));
+}
+
 /// 1 − cos of the half angle under which a sphere is seen; nothing from inside.
 std::optional<double> seen_width(Vec3 centre_from_here, double radius) {
     const double sin2 = radius * radius / dot(centre_from_here, centre_from_here);
@@ -302,7 +308,7 @@ void LightSet::radiance(const LightSample& sample, const LaneSet& lanes, RgbLigh
     entry.spectrum->eval_lanes(lanes.lambdas(), out.first(lanes.count));
     double factor = sample.factor;
     if (entry.kind == Kind::distant && entry.cone_width > 0.0)
-        factor = pdf_uniform_cone(entry.cone_width);  // irradiance spread over the disc
+        factor = radiance_of_disc(entry.cone_width);
     if (factor != 1.0)
         for (int k = 0; k < lanes.count; ++k) out[k] *= factor;
 }

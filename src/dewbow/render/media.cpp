@@ -23,6 +23,19 @@ const Dielectric* dielectric_of(const Material& material) {
     return std::get_if<Dielectric>(&material.surface);
 }
 
+/// Whether shapes of this material are bodies with an inside, for some paths at least.
+bool may_be_body(const Scene& scene, const Material& material) {
+    const auto* mix = std::get_if<Mix>(&material.surface);
+    if (!mix) return dielectric_of(material) != nullptr;
+    return may_be_body(scene, scene.materials[std::size_t(mix->first)]) ||
+           may_be_body(scene, scene.materials[std::size_t(mix->second)]);
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
+           b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
 bool same_index(const Dispersion& a, const Dispersion& b) {
     std::array<double, kProbe_nm.size()> n_a, n_b;
     a.eval_lanes(kProbe_nm, n_a);
@@ -139,11 +152,25 @@ MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
 
 std::vector<bool> see_through_shapes(const Scene& scene) {
     std::vector<bool> result;
+    std::vector<Bounds> bending;
+    const auto bounds = [](const Shape& shape) {
+        constexpr double kFar = 1e300;
+        const bool endless = std::holds_alternative<Plane>(shape.geometry);
+        return endless ? Bounds{{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}} : bounds_of(shape);
+    };
     for (const Shape& shape : scene.shapes) {
         const Material& material = scene.materials[std::size_t(shape.material)];
         const Dielectric* d = dielectric_of(material);
         result.push_back(d && !material.emission && !d->tint && !d->interior->absorption &&
+                         !scene.surroundings->absorption &&
                          same_index(*d->interior->index, *scene.surroundings->index));
+        if (!result.back() && may_be_body(scene, material)) bending.push_back(bounds(shape));
+    }
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        if (!result[i]) continue;
+        const Bounds here = bounds(scene.shapes[i]);
+        result[i] = std::none_of(bending.begin(), bending.end(),
+                                 [&](const Bounds& b) { return overlap(here, b); });
     }
     return result;
 }

@@ -83,7 +83,9 @@ class Accelerator;
 MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
                     const Accelerator& accelerator);
 
-/// One a shape: whether its boundary neither bends nor absorbs anything against the surroundings.
+/// One a shape: whether it is not there for light, and shadow rays go through it: its boundary
+/// neither bends nor absorbs anything against the surroundings, which do not absorb either, and no
+/// body that bends light comes near it.
 std::vector<bool> see_through_shapes(const Scene& scene);
 
 }  // namespace dewbow

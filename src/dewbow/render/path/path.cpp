@@ -55,7 +55,8 @@ PreparedScene::PreparedScene(const Scene& s)
     : serial(next_serial()),
       scene(s),
       media(s),
-      accelerator(s, see_through_shapes(s)),
+      see_through(see_through_shapes(s)),
+      accelerator(s, see_through),
       lights(s),
       camera(s) {
     camera_media = media_at(camera.position(), scene, media, accelerator);

@@ -21,6 +21,7 @@ struct PreparedScene {
         serial;  ///< different for each, never 0: what a thread keeps belongs to one of them
     const Scene& scene;
     MediaTable media;
+    std::vector<bool> see_through;  ///< one a shape: see_through_shapes
     Accelerator accelerator;
     LightSet lights;
     CameraRays camera;

@@ -123,6 +123,7 @@ private:
     void trace_open(OpenPath path);
     void open_missed(OpenPath& path, int k);
     void open_group(OpenPath& path, LaneMask group, const HitLanes& hits);
+    void pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundary);
     void open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits, const Dielectric& glass,
                      int id);
     void open_rough(OpenPath& path, LaneMask group, const HitLanes& hits, const Dielectric& glass,
@@ -151,6 +152,7 @@ private:
     Boundary boundary_at(MediaStack media, bool front, int id) const;
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
+    bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
     bool roulette(LaneValues& beta, int count, LaneMask mask, int depth,
                   std::uint32_t vertex) const;
     std::uint32_t vertex_key(int depth, std::uint32_t branch) const {
@@ -196,7 +198,10 @@ void Tracer::trace(SharedPath path) {
         if (prepared_.lights.emits(hit, path.ray.direction))
             add_emission(path.lanes, path.beta, path.ray, hit, path.from_specular, path.last_pdf,
                          path.last_position, path.media);
-        if (path.depth >= settings_.max_depth || !interact(path, hit)) return;
+        const int depth = path.depth;
+        if (depth >= settings_.max_depth || !interact(path, hit)) return;
+        // A surface that is none costs no depth, and its random numbers were used before it.
+        if (path.depth == depth) continue;
         const LaneMask all = (1u << path.lanes.count) - 1u;
         if (!roulette(path.beta, path.lanes.count, all, path.depth,
                       vertex_key(path.depth, path.branch)))
@@ -295,9 +300,11 @@ bool Tracer::thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& 
 
 bool Tracer::smooth(SharedPath& path, const Vertex& vertex, const Dielectric& glass, int id) {
     const Boundary boundary = boundary_at(path.media, vertex.front, id);
-    if (boundary.none) {
+    if (boundary.none || !stops_shadows(vertex.shape)) {
         path.media = boundary.after;
         path.ray = vertex.leave(path.ray.direction);
+        // Shadow rays do not know it: what lies behind is found by chance alone.
+        path.from_specular = path.from_specular || stops_shadows(vertex.shape);
         return ++path.passed <= kMostPassed;
     }
     const int count = path.lanes.count;
@@ -483,19 +490,24 @@ void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits) {
     }
 }
 
+/// Takes a lane straight through a surface that is none. Shadow rays mostly know nothing of that:
+/// what lies behind such a surface is found by chance alone.
+void Tracer::pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundary) {
+    const auto i = std::size_t(k);
+    path.media[i] = boundary.after;
+    path.rays.set(k, vertex_at(path.rays.ray(k), hit).leave(path.rays.direction(k)));
+    path.from_specular[i] = path.from_specular[i] || stops_shadows(hit.shape);
+}
+
 void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
                          const Dielectric& glass, int id) {
     const auto first = std::size_t(std::countr_zero(group));
     const bool front = dot(path.rays.direction(int(first)), hits[first].normal) < 0.0;
     const Boundary boundary = boundary_at(path.media[first], front, id);
     const int count = path.lanes.count;
-    if (boundary.none) {
-        for (int k = 0; k < count; ++k) {
-            if (!(group >> k & 1u)) continue;
-            const Hit& hit = hits[std::size_t(k)];
-            path.media[std::size_t(k)] = boundary.after;
-            path.rays.set(k, vertex_at(path.rays.ray(k), hit).leave(path.rays.direction(k)));
-        }
+    if (boundary.none || !stops_shadows(hits[first].shape)) {
+        for (int k = 0; k < count; ++k)
+            if (group >> k & 1u) pass(path, k, hits[std::size_t(k)], boundary);
         return;
     }
     BoundaryLanes lanes;
@@ -544,9 +556,9 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
         if (!(group >> k & 1u)) continue;
         const auto i = std::size_t(k);
         const Vertex vertex = vertex_at(path.rays.ray(k), hits[i]);
-        if (boundary.none) {
-            path.media[i] = boundary.after;
-            path.rays.set(k, vertex.leave(path.rays.direction(k)));
+        if (boundary.none || std::abs(eta[k] - 1.0) <= kSameIndex) {
+            pass(path, k, hits[i], boundary);
+            refracted |= LaneMask(!boundary.none) << k;
             continue;
         }
         SharedPath lane = lane_of(path, k);
@@ -688,14 +700,16 @@ void Tracer::direct_light(const SharedPath& path, const Vertex& vertex, bool bot
     if (!light || !(light->pdf > 0.0)) return;
     const double side = dot(light->direction, vertex.geometric);
     if (side == 0.0 || (side < 0.0 && !both_sides)) return;
-    LaneValues f;
+    LaneValues f{};
     const double pdf = eval(light->direction, f);
     if (!(pdf > 0.0)) return;
     if (prepared_.accelerator.occluded(vertex.leave(light->direction), light->distance)) return;
     LaneValues radiance;
     prepared_.lights.radiance(*light, path.lanes, rgb_, radiance);
-    const double weight = light->without_extent ? 1.0 : power_heuristic(light->pdf, pdf);
     for (int k = 0; k < path.lanes.count; ++k) radiance[k] *= f[k];
+    // What is infinitely far is not absorbed, as where a path misses everything.
+    if (std::isfinite(light->distance)) absorb(path.lanes, radiance, path.media, light->distance);
+    const double weight = light->without_extent ? 1.0 : power_heuristic(light->pdf, pdf);
     add(path.lanes, path.beta, radiance, weight / light->pdf, path.media);
 }
 
