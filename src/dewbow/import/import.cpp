@@ -29,6 +29,8 @@ const SceneFormat& format_of(const std::filesystem::path& path) {
     for (const SceneFormat& format : scene_formats()) {
         if (format.extension == extension) return format;
     }
+    if (std::error_code error; std::filesystem::is_directory(path, error))
+        throw InputError({path.string(), 0, 0, {}}, "this is a folder; a scene is a file");
     throw InputError({path.string(), 0, 0, {}},
                      extension.empty() ? std::string("a scene file needs an extension")
                                        : "\"" + extension + "\" is no scene format that is read",
@@ -64,7 +66,11 @@ const std::vector<std::string>& scene_extensions() {
 ImportedScene load_scene(const std::filesystem::path& path) {
     ParsedScene parsed = format_of(path).load(path);
     complete(parsed);
-    validate(parsed.scene);
+    try {
+        validate(parsed.scene);
+    } catch (const InputError& error) {  // it knows what is wrong, and not in which file
+        throw InputError({path.string(), 0, 0, {}}, error.sentence(), {}, error.hint());
+    }
     return {std::move(parsed.scene), std::move(parsed.diagnostics)};
 }
 

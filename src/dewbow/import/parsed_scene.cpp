@@ -42,12 +42,21 @@ std::vector<char> materials_in_use(const Scene& scene) {
 }  // namespace
 
 bool brings_light(const Scene& scene) {
-    if (!scene.lights.empty()) return true;
     const std::vector<char> used = materials_in_use(scene);
+    bool something_rough = false;
     for (std::size_t i = 0; i < used.size(); ++i) {
-        if (used[i] && scene.materials[i].emission) return true;
+        if (!used[i]) continue;
+        const Material& material = scene.materials[i];
+        if (material.emission) return true;
+        something_rough |= std::holds_alternative<Diffuse>(material.surface) ||
+                           std::holds_alternative<MetallicRoughness>(material.surface);
     }
-    return false;
+    // Smooth glass and mirrors alone show nothing of a light that has no extent.
+    return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+        const bool extent = std::holds_alternative<UniformEnvironment>(light) ||
+                            std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light);
+        return extent || something_rough;
+    });
 }
 
 Shape Mirrors::upright(Shape shape) {

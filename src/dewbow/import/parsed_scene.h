@@ -16,7 +16,7 @@ struct ParsedScene {
     bool has_camera = false;
 };
 
-/// True if something in the scene gives off light.
+/// True if something in the scene gives off light that its surfaces can show.
 bool brings_light(const Scene& scene);
 
 /// Does away with mirror images, so that front faces are counter-clockwise in every frame.

@@ -154,6 +154,14 @@ ParsedScene parse_gltf(const std::filesystem::path& path, std::string_view bytes
 
 ParsedScene load_gltf(const std::filesystem::path& path) {
     const std::string bytes = read_file(path);
+    const SourcePlace place{path.string(), 0, 0, {}};
+    if (bytes.empty()) throw InputError(place, "the file is empty");
+    const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size() - 1);
+    if (!bytes.starts_with("glTF") && bytes[first] != '{') {
+        throw InputError(place,
+                         "this is no glTF: it begins neither with \"glTF\", as .glb does, nor with "
+                         "{, as .gltf does");
+    }
     return parse_gltf(path, bytes);
 }
 

@@ -10,6 +10,10 @@
 namespace dewbow::gltf {
 namespace {
 
+/// glTF's directional lights have no size; here they have the sun's, so that glass and mirrors show
+/// them.
+constexpr Angle kSunRadius = 0.2666 * unit::deg;
+
 constexpr std::string_view kExtension = "KHR_lights_punctual";
 constexpr double kHalfPi = std::numbers::pi / 2.0;
 /// Writers round π/2 up.
@@ -66,7 +70,7 @@ std::optional<Light> read_light(Document& document, const PlacedNode& node) {
     }
     const Dir<World> direction{normalised(ahead)};
     if (type.text() == "directional") {
-        return DistantLight{direction, 0.0 * unit::rad, std::move(size)};
+        return DistantLight{direction, kSunRadius, std::move(size)};
     }
     return make_spot(definition, position, direction, std::move(size));
 }

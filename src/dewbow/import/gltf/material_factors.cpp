@@ -48,8 +48,6 @@ public:
         read_emission();
         read_alpha();
         note_texture(material_, "normalTexture", "normal", true);
-        const auto double_sided = material_.find("doubleSided");
-        factors_.double_sided = double_sided && double_sided->boolean();
         if (const auto extras = material_.find("extras")) read_extras(*extras);
         return factors_;
     }

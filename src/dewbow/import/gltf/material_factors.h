@@ -14,7 +14,6 @@ struct MaterialFactors {
     Vec3 base_colour{1.0, 1.0, 1.0};
     double metallic = 1.0, roughness = 1.0;
     Vec3 emissive;  ///< nits: with KHR_materials_emissive_strength, 0 if a texture would shape it
-    bool double_sided = false;
     double ior = 1.5;  ///< 0: reflects all [KHR_materials_ior]
     double transmission = 0.0;
     double thickness = 0.0;                                                 ///< 0: thin-walled

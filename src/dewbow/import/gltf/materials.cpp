@@ -87,7 +87,8 @@ private:
     int add(const std::string& name, Surface surface, bool glows) {
         Material material{name, std::move(surface), nullptr, false};
         if (glows) material.emission = photometric_spectrum(factors_.emissive, 1.0);
-        material.two_sided_emission = material.emission && factors_.double_sided;
+        // glTF leaves open what the back of an emitter does; in Blender and three.js it glows too.
+        material.two_sided_emission = material.emission != nullptr;
         return scene_.add(std::move(material));
     }
 

@@ -165,7 +165,7 @@ TEST(GltfMaterials, OneNitHasALuminanceOfOne) {
         R"("emissiveFactor": [1, 1, 1], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 40}})");
     const double luminance = kLuminousEfficacy * xyz_from_spectrum(*only(parsed).emission)[1];
     EXPECT_NEAR(luminance, 40.0, 40.0 * 1e-3);
-    EXPECT_FALSE(only(parsed).two_sided_emission);
+    EXPECT_TRUE(only(parsed).two_sided_emission);
     EXPECT_EQ(parsed.scene.film.white_luminance, 1.0);
 }
 

@@ -25,6 +25,13 @@ Mesh parse(const std::filesystem::path& path, Diagnostics& diagnostics) {
                      "expected .obj or .ply");
 }
 
+std::string sentence_of_nothing_left(const MeshRepairs& repairs) {
+    if (repairs.bad_vertex_triangles == 0) return "has no triangle with an area";
+    return fmt::format(
+        "has no triangle that can be shown: {} with a vertex that is not finite, {} without area",
+        repairs.bad_vertex_triangles, repairs.flat_triangles);
+}
+
 }  // namespace
 
 const std::vector<std::string>& mesh_extensions() {
@@ -35,8 +42,10 @@ const std::vector<std::string>& mesh_extensions() {
 std::shared_ptr<const Mesh> load_mesh(const std::filesystem::path& path, Diagnostics& diagnostics) {
     auto mesh = std::make_shared<Mesh>(parse(path, diagnostics));
     const SourcePlace place{path.string(), 0, 0, {}};
-    clean(*mesh).report(place, diagnostics);
-    if (mesh->triangles.empty()) throw InputError(place, "has no triangle with an area");
+    if (mesh->triangles.empty()) throw InputError(place, "holds no triangle");
+    const MeshRepairs repairs = clean(*mesh);
+    repairs.report(place, diagnostics);
+    if (mesh->triangles.empty()) throw InputError(place, sentence_of_nothing_left(repairs));
     mesh->name = path.stem().string();
     return mesh;
 }

@@ -25,7 +25,10 @@ ParsedScene load_guest(const std::filesystem::path& path) {
         throw InputError("a scene file imports no other scene file",
                          "import .gltf, .glb, .obj or .ply");
     }
-    return load_mesh_scene(path);
+    if (extension == ".obj" || extension == ".ply") return load_mesh_scene(path);
+    throw InputError({path.string(), 0, 0, {}},
+                     fmt::format("\"{}\" is no format that is imported", extension), {},
+                     "import .gltf, .glb, .obj or .ply");
 }
 
 std::vector<MaterialOverride> read_overrides(Table& import, const Scene& guest,

@@ -100,7 +100,9 @@ ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text
 }
 
 ParsedScene load_toml(const std::filesystem::path& path) {
-    return parse_scene_toml(path, read_file(path, kMaxTomlBytes));
+    std::string text = read_file(path, kMaxTomlBytes);
+    if (text.empty()) throw InputError(SourcePlace{path.string(), 0, 0, {}}, "the file is empty");
+    return parse_scene_toml(path, std::move(text));
 }
 
 }  // namespace dewbow
