@@ -27,7 +27,7 @@ constexpr double kMostExposureStops = 64.0;
 constexpr double kShortest_nm = 200.0, kLongest_nm = 3000.0;
 
 constexpr std::string_view kExamples = R"(Examples:
-  dewbow render examples/prism.toml                   write prism.exr and prism.png
+  dewbow render examples/disc.toml                    write disc.exr and disc.png
   dewbow render ring.glb -o ring.png --time 2m        as good as two minutes make it
   dewbow glass show N-SF11                            the index of a glass
 `dewbow SUBCOMMAND --help` tells more.)";
@@ -90,7 +90,7 @@ struct RenderTexts {
 /// One command line's parser.
 class Parser {
 public:
-    Parser() : app_("A spectral renderer with a rainbow engine.", "dewbow") {
+    Parser() : app_("A spectral renderer for light that has come apart into its colours.", "dewbow") {
         app_.set_version_flag("--version", "dewbow " DEWBOW_VERSION, "Show the version and end");
         app_.footer(std::string(kExamples));
         app_.allow_extras();
@@ -106,8 +106,13 @@ public:
         } catch (const CLI::Success&) {
             return ShowText{deepest(app_).help(path_of(deepest(app_).get_parent()))};
         } catch (const CLI::ArgumentMismatch& error) {
-            const std::string what = error.what();  // "--spp: 1 required N missing"
-            throw UsageError(what.substr(0, what.find(':')) + " wants a value", help_hint());
+            // "--spp: 1 required N missing", "--json was given a disallowed flag override"
+            const std::string what = error.what();
+            const std::size_t colon = what.find(':');
+            throw UsageError(
+                what.substr(0, std::min(colon, what.find(' '))) +
+                    (colon == std::string::npos ? " takes no value" : " wants a value"),
+                help_hint());
         } catch (const CLI::ParseError& error) {
             refuse_extras();  // the cause, where an option is not known
             throw UsageError(error.what(), help_hint());
@@ -126,6 +131,11 @@ private:
         return app.add_option(name, text, what)
             ->type_name(form)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+
+    static void add_flag(CLI::App& app, const std::string& name, bool& flag,
+                         const std::string& what) {
+        app.add_flag(name, flag, what)->disable_flag_override();
     }
 
     void add_render() {
@@ -167,8 +177,8 @@ private:
             alternatives(estimator_names()));
         add("--pixel", t.pixel, "With --sample: compute one sample, show it, write nothing", "X,Y");
         add("--sample", t.sample, "The sample's number, from 0", "K");
-        render_->add_flag("-q,--quiet", t.quiet, "Say nothing but warnings and errors");
-        render_->add_flag("--json", t.json, "Print one JSON object on standard output at the end");
+        add_flag(*render_, "-q,--quiet", t.quiet, "Say nothing but warnings and errors");
+        add_flag(*render_, "--json", t.json, "Print one JSON object on standard output at the end");
         add("--progress", t.progress, "How progress is shown on standard error",
             alternatives(kProgressNames));
     }
@@ -179,7 +189,7 @@ private:
         glass_->footer(std::string(kGlassExamples));
         glass_list_ = glass_->add_subcommand("list", "List all names");
         glass_list_->allow_extras();
-        glass_list_->add_flag("--json", glass_list_command_.json, "Print JSON");
+        add_flag(*glass_list_, "--json", glass_list_command_.json, "Print JSON");
         glass_show_ = glass_->add_subcommand("show", "Show the index of one");
         glass_show_->allow_extras();
         glass_show_->footer(std::string(kGlassExamples));
@@ -188,7 +198,7 @@ private:
         glass_show_->add_option("--at", glass_at_, "Show the index at this wavelength; repeatable")
             ->type_name("NM")
             ->allow_extra_args(false);
-        glass_show_->add_flag("--json", glass_show_json_, "Print JSON");
+        add_flag(*glass_show_, "--json", glass_show_json_, "Print JSON");
     }
 
     static const CLI::App& deepest(const CLI::App& app) {
@@ -244,7 +254,8 @@ private:
         if (!t.scene || t.scene->empty()) throw UsageError("the scene is missing", help_hint());
         RenderCommand command;
         command.scene_file = *t.scene;
-        command.outputs = t.outputs;
+        for (const std::string& output : t.outputs)
+            command.outputs.push_back(parse_file_name("--output", output, picture_extensions()));
         command.quiet = t.quiet;
         command.json = t.json;
         if (t.size) command.size = parse_size("--size", *t.size);

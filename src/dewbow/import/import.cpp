@@ -30,7 +30,8 @@ const SceneFormat& format_of(const std::filesystem::path& path) {
         if (format.extension == extension) return format;
     }
     if (std::error_code error; std::filesystem::is_directory(path, error))
-        throw InputError({path.string(), 0, 0, {}}, "this is a folder; a scene is a file");
+        throw InputError(SourcePlace{path.string(), 0, 0, {}},
+                         "this is a folder; a scene is a file");
     throw InputError({path.string(), 0, 0, {}},
                      extension.empty() ? std::string("a scene file needs an extension")
                                        : "\"" + extension + "\" is no scene format that is read",

@@ -50,6 +50,8 @@ bool brings_light(const Scene& scene) {
         if (material.emission) return true;
         something_rough |= std::holds_alternative<Diffuse>(material.surface) ||
                            std::holds_alternative<MetallicRoughness>(material.surface);
+        if (const auto* glass = std::get_if<Dielectric>(&material.surface))
+            something_rough |= glass->roughness > 0.0;
     }
     // Smooth glass and mirrors alone show nothing of a light that has no extent.
     return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {

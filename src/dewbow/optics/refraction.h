@@ -24,7 +24,7 @@ constexpr RelativeIndex operator/(AbsoluteIndex transmitted, AbsoluteIndex incid
     return {transmitted.value / incident.value};
 }
 
-/// Angle of refraction, or nothing beyond the critical angle. [Snell; Musgrave 1989, eq. 5]
+/// Angle of refraction, or nothing beyond the critical angle. [Snell; Musgrave 1989, eq. 1]
 std::optional<Angle> refraction_angle(Angle incidence, RelativeIndex n);
 /// Angle beyond which an interface into a rarer medium reflects all, or nothing if n >= 1.
 std::optional<Angle> critical_angle(RelativeIndex n);

@@ -20,7 +20,7 @@ public:
     constexpr int interior() const { return int(ids_ & 0xff); }
     constexpr bool operator==(const MediaStack&) const = default;
 
-    /// With `id` added. An ninth medium is dropped: the weakest.
+    /// With `id` added. A ninth medium is dropped: the weakest.
     MediaStack entered(int id) const;
     /// With one `id` taken out, if it is there.
     MediaStack left(int id) const;

@@ -160,7 +160,7 @@ Mesh ObjReader::assemble() {
 
 Mesh parse_obj(const std::string& file, std::string_view text, Diagnostics& diagnostics) {
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-        throw InputError({file, 0, 0, fmt::format("byte {}", zero)},
+        throw InputError(SourcePlace{file, 0, 0, fmt::format("byte {}", zero)},
                          "this is no text, which OBJ files are");
     }
     return ObjReader(file, text, diagnostics).read();

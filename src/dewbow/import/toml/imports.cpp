@@ -26,8 +26,7 @@ ParsedScene load_guest(const std::filesystem::path& path) {
                          "import .gltf, .glb, .obj or .ply");
     }
     if (extension == ".obj" || extension == ".ply") return load_mesh_scene(path);
-    throw InputError({path.string(), 0, 0, {}},
-                     fmt::format("\"{}\" is no format that is imported", extension), {},
+    throw InputError({path.string(), 0, 0, {}}, "this is of no format that is imported", {},
                      "import .gltf, .glb, .obj or .ply");
 }
 

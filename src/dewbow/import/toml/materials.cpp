@@ -108,6 +108,49 @@ Material read_material(const TomlDocument& document, const TomlEntry& entry,
     return material;
 }
 
+/// Finds mixes that contain themselves while their place in the file is known.
+class MixCheck {
+public:
+    /// The materials of `entries` stand in `scene` from index `first` on.
+    MixCheck(const TomlDocument& document, const TomlValue::Table& entries, const Scene& scene,
+             std::size_t first)
+        : document_(document),
+          entries_(entries),
+          scene_(scene),
+          first_(first),
+          visits_(entries.size(), Visit::not_yet) {}
+
+    void run() {
+        for (std::size_t i = 0; i < entries_.size(); ++i) enter(i, 0);
+    }
+
+private:
+    enum class Visit : char { not_yet, under_way, done };
+    static constexpr int kMaxDepth = 64;
+
+    void enter(std::size_t i, int depth) {
+        if (visits_[i] == Visit::done) return;
+        if (visits_[i] == Visit::under_way)
+            fail(document_, entries_[i].key_place,
+                 fmt::format("the mix [materials.{}] contains itself", entries_[i].key));
+        if (depth > kMaxDepth)
+            fail(document_, entries_[i].key_place,
+                 fmt::format("mixes are nested more than {} deep", kMaxDepth));
+        visits_[i] = Visit::under_way;
+        if (const auto* mix = std::get_if<Mix>(&scene_.materials[first_ + i].surface)) {
+            enter(std::size_t(mix->first) - first_, depth + 1);
+            enter(std::size_t(mix->second) - first_, depth + 1);
+        }
+        visits_[i] = Visit::done;
+    }
+
+    const TomlDocument& document_;
+    const TomlValue::Table& entries_;
+    const Scene& scene_;
+    std::size_t first_;
+    std::vector<Visit> visits_;
+};
+
 }  // namespace
 
 void MaterialNames::add(const std::string& name, int index) {
@@ -131,10 +174,10 @@ MaterialNames read_materials(const TomlDocument& document, const TomlValue* mate
     const Table check(document, *materials, "[materials]");
     // All names first: a mix may name a material that stands below it.
     const TomlValue::Table& entries = *materials->table();
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        names.add(entries[i].key, int(scene.materials.size() + i));
-    }
+    const std::size_t first = scene.materials.size();
+    for (std::size_t i = 0; i < entries.size(); ++i) names.add(entries[i].key, int(first + i));
     for (const TomlEntry& entry : entries) scene.add(read_material(document, entry, names));
+    MixCheck(document, entries, scene, first).run();
     return names;
 }
 

@@ -156,7 +156,7 @@ private:
     bool roulette(LaneValues& beta, int count, LaneMask mask, int depth,
                   std::uint32_t vertex) const;
     std::uint32_t vertex_key(int depth, std::uint32_t branch) const {
-        return std::uint32_t(depth) + (branch << 12);
+        return std::uint32_t(depth) + branch * 0x9e3779b9u;  // 2³² / golden ratio: far apart
     }
     SharedPath lane_of(const OpenPath& path, int k) const;
     static bool dispersive(const LaneValues& eta, int count);
