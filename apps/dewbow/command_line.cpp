@@ -106,13 +106,13 @@ public:
         } catch (const CLI::Success&) {
             return ShowText{deepest(app_).help(path_of(deepest(app_).get_parent()))};
         } catch (const CLI::ArgumentMismatch& error) {
-            // "--spp: 1 required N missing", "--json was given a disallowed flag override"
+            // "--spp: 1 required N missing", "json was given a disallowed flag override"
             const std::string what = error.what();
             const std::size_t colon = what.find(':');
-            throw UsageError(
-                what.substr(0, std::min(colon, what.find(' '))) +
-                    (colon == std::string::npos ? " takes no value" : " wants a value"),
-                help_hint());
+            if (colon == std::string::npos)
+                throw UsageError("--" + what.substr(0, what.find(' ')) + " takes no value",
+                                 help_hint());
+            throw UsageError(what.substr(0, colon) + " wants a value", help_hint());
         } catch (const CLI::ParseError& error) {
             refuse_extras();  // the cause, where an option is not known
             throw UsageError(error.what(), help_hint());

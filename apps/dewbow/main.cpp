@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <exception>
 #include <new>
-#include <string>
 
 #include "command.h"
 #include "console.h"
@@ -22,7 +21,7 @@ struct Run {
 /// Never throws.
 int fail(int code, const char* what) noexcept {
     try {
-        print_message(std::string("dewbow: ") + what);
+        print_error(what);
     } catch (...) {
         // There is no memory even for the message; the exit code still tells.
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -111,6 +112,19 @@ std::chrono::duration<double> parse_duration(std::string_view option, std::strin
     const double seconds = parse_number<double>(number).value_or(-1.0) * seconds_per_unit;
     if (seconds > 0.0 && seconds <= kLongestSeconds) return std::chrono::duration<double>(seconds);
     refuse(option, text, "a time such as 30s, 2m or 1h, above 0 and at most 8760h");
+}
+
+std::string parse_file_name(std::string_view option, std::string_view text,
+                            std::span<const std::string> extensions) {
+    std::string extension = std::filesystem::path(text).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    std::string endings;
+    for (const std::string& known : extensions) {
+        if (extension == known) return std::string(text);
+        endings += (endings.empty() ? "" : " or ") + known;
+    }
+    refuse(option, text, "a file name that ends in " + endings);
 }
 
 std::size_t parse_word(std::string_view option, std::string_view text,

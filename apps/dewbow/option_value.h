@@ -31,6 +31,10 @@ PixelPlace parse_pixel(std::string_view option, std::string_view text);
 /// "30s", "1.5m", "2h"; a number alone is seconds.
 std::chrono::duration<double> parse_duration(std::string_view option, std::string_view text);
 
+/// The name of a file that ends in one of `extensions` (".exr"), in letters of either case.
+std::string parse_file_name(std::string_view option, std::string_view text,
+                            std::span<const std::string> extensions);
+
 /// The index of `text` in `words`.
 std::size_t parse_word(std::string_view option, std::string_view text,
                        std::span<const std::string> words);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 
 #include "command.h"
 #include "console.h"
@@ -70,9 +72,9 @@ void print_diagnostics(const Diagnostics& diagnostics) {
     std::set<std::string> printed;
     for (const Diagnostic& diagnostic : diagnostics) {
         const std::string place = to_string(diagnostic.place);
-        const std::string line =
-            "warning: " + (place.empty() ? "" : place + ": ") + diagnostic.text;
-        if (printed.insert(line).second) print_message(line);
+        std::string line = "warning: " + (place.empty() ? "" : place + ": ") + diagnostic.text;
+        std::replace(line.begin(), line.end(), '\n', ' ');  // one line, whatever a name holds
+        if (printed.insert(line).second) print_message(presentable(line));
     }
 }
 
@@ -249,6 +251,15 @@ void check_crop(const PixelRect& crop, const Film& film) {
                     crop.y0, crop.width(), crop.height(), film.width, film.height));
 }
 
+/// Throws InputError if the picture could not be written there in the end.
+void check_output(const std::filesystem::path& path) {
+    check_picture_path(path);
+    std::error_code error;  // what is not there yet is none; a name that is too long is one
+    static_cast<void>(std::filesystem::status(path, error));
+    if (error && error != std::errc::no_such_file_or_directory)
+        throw InputError(SourcePlace{path.string(), 0, 0, {}}, "cannot write: " + error.message());
+}
+
 int render_picture(const RenderCommand& command, const Scene& scene,
                    const std::vector<std::filesystem::path>& paths) {
     if (command.crop) check_crop(*command.crop, scene.film);
@@ -267,7 +278,7 @@ int render_picture(const RenderCommand& command, const Scene& scene,
     const std::string scene_name = std::filesystem::path(command.scene_file).filename().string();
     const std::vector<std::string> failures =
         write_pictures(paths, work.film, scene, display, render_facts(scene, result, scene_name));
-    for (const std::string& failure : failures) print_message("dewbow: " + failure);
+    for (const std::string& failure : failures) print_error(failure);
     if (!failures.empty()) return kFailed;
 
     if (!command.quiet) print_message(summary(result, paths));
@@ -284,7 +295,7 @@ int run_render(const RenderCommand& command) {
 
     // What would make the render useless at its end is found before it begins.
     const std::vector<std::filesystem::path> paths = output_paths(command);
-    for (const std::filesystem::path& path : paths) check_picture_path(path);
+    for (const std::filesystem::path& path : paths) check_output(path);
     return render_picture(command, load(command), paths);
 }
 
