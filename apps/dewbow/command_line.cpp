@@ -90,7 +90,8 @@ struct RenderTexts {
 /// One command line's parser.
 class Parser {
 public:
-    Parser() : app_("A spectral renderer for light that has come apart into its colours.", "dewbow") {
+    Parser()
+        : app_("A spectral renderer for light that has come apart into its colours.", "dewbow") {
         app_.set_version_flag("--version", "dewbow " DEWBOW_VERSION, "Show the version and end");
         app_.footer(std::string(kExamples));
         app_.allow_extras();
@@ -294,10 +295,7 @@ private:
     void read_sampling(RenderCommand& command) const {
         const RenderTexts& t = render_texts_;
         if (t.seed) command.seed = parse_seed("--seed", *t.seed);
-        if (t.packet) {
-            constexpr int kPackets[] = {1, 4, 8, 16};
-            command.packet = kPackets[parse_word("--packet", *t.packet, kPacketNames)];
-        }
+        if (t.packet) command.packet = parse_packet("--packet", *t.packet);
         if (t.wavelengths) {
             constexpr WavelengthSampling kWays[] = {WavelengthSampling::visual,
                                                     WavelengthSampling::uniform};

@@ -77,6 +77,12 @@ double parse_real(std::string_view option, std::string_view text, double low, do
     refuse(option, text, fmt::format("{}{} to {}", value ? "" : "a number from ", low, high));
 }
 
+int parse_packet(std::string_view option, std::string_view text) {
+    for (const int lanes : {1, 4, 8, 16})
+        if (text == std::to_string(lanes)) return lanes;
+    refuse(option, text, "1, 4, 8 or 16");
+}
+
 PictureSize parse_size(std::string_view option, std::string_view text) {
     if (const auto size = size_from(text)) return *size;
     refuse(option, text,

@@ -19,6 +19,9 @@ std::int64_t parse_integer(std::string_view option, std::string_view text, std::
 std::uint64_t parse_seed(std::string_view option, std::string_view text);
 double parse_real(std::string_view option, std::string_view text, double low, double high);
 
+/// A number of wavelengths: 1, 4, 8 or 16.
+int parse_packet(std::string_view option, std::string_view text);
+
 /// "1920x1080"
 PictureSize parse_size(std::string_view option, std::string_view text);
 /// "X,Y,WxH"

@@ -4,6 +4,7 @@
 #include "dewbow/import/extension.h"
 #include "dewbow/import/gltf/gltf.h"
 #include "dewbow/import/mesh/mesh_file.h"
+#include "dewbow/import/one_line.h"
 #include "dewbow/import/parsed_scene.h"
 #include "dewbow/import/toml/scene_toml.h"
 #include "dewbow/spectrum/cie.h"
@@ -70,7 +71,8 @@ ImportedScene load_scene(const std::filesystem::path& path) {
     try {
         validate(parsed.scene);
     } catch (const InputError& error) {  // it knows what is wrong, and not in which file
-        throw InputError({path.string(), 0, 0, {}}, error.sentence(), {}, error.hint());
+        throw InputError({path.string(), 0, 0, {}}, one_line(error.sentence()), {},
+                         one_line(error.hint()));
     }
     return {std::move(parsed.scene), std::move(parsed.diagnostics)};
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dewbow/import/one_line.h"
+
 namespace dewbow {
 namespace {
 
@@ -41,7 +43,7 @@ struct Describe {
 }  // namespace
 
 void Json::fail(const std::string& sentence, const std::string& hint) const {
-    throw InputError(place(), sentence, {}, hint);
+    throw InputError({*file_, 0, 0, one_line(pointer_)}, one_line(sentence), {}, one_line(hint));
 }
 
 void Json::fail_type(std::string_view expected) const {

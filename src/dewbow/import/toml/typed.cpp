@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "dewbow/import/one_line.h"
+
 namespace dewbow::toml_import {
 namespace {
 
@@ -24,8 +26,8 @@ std::optional<double> number_of(const TomlValue& value) {
 
 void fail(const TomlDocument& document, TomlPlace place, const std::string& sentence,
           const std::string& hint) {
-    throw InputError({document.file, place.line, place.column, {}}, sentence,
-                     std::string(line_of(document.text, place.line)), hint);
+    throw InputError({document.file, place.line, place.column, {}}, one_line(sentence),
+                     std::string(line_of(document.text, place.line)), one_line(hint));
 }
 
 double read_number(const TomlDocument& document, const TomlValue& value, std::string_view name,

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// Absurd values for every option that takes one, by the list that the program's own help prints: an
+// option that is new, and that this test does not know, turns it red.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "run_program.h"
+
+namespace dewbow::faults {
+namespace {
+
+constexpr int kWrongUse = 2;
+
+/// No number of any option, however it is read: no whole number from 0 on, no number with a unit.
+const std::vector<std::string> kNoNumbers{
+    "",
+    " ",
+    "nan",
+    "NaN",
+    "-nan",
+    "inf",
+    "-inf",
+    "infinity",
+    "1e308",
+    "-1e308",
+    "1,5",
+    "0x10",
+    "1_000",
+    "1e",
+    "1 ",
+    " 1",
+    "--1",
+    "+-1",
+    "1.5.2",
+    "one",
+    "true",
+    "１",
+    "½",
+    "1;2",
+    "1\n2",
+    "\xff",
+    "$(id)",
+    "1e999",
+    "%d",
+    "-",
+    "9223372036854775808e9999",
+};
+
+struct Option {
+    std::string name;
+    std::vector<std::string> words_before;  ///< another option that it needs
+    std::vector<std::string> wrong;         ///< beside kNoNumbers
+    std::string expected;                   ///< what every refusal says
+};
+
+const std::vector<Option> kRenderOptions{
+    {"--size",
+     {},
+     {"0x0", "0x8", "8x0", "-8x8", "8x-8", "70000x70000", "8", "8x", "x8", "8X8", "8x8x8", "8.5x8",
+      "nanxnan", "2147483648x1", "8 x 8", "1e1x8"},
+     "1 to 65536 pixels"},
+    {"--spp",
+     {},
+     {"-1", "0", "-0", "0.5", "1e3", "2147483648", "9223372036854775808", "5e-324"},
+     "1 to 16777216"},
+    {"--time",
+     {},
+     {"-1", "0", "0s", "-0s", "s", "1d", "1ms", "1s30", "nans", "infh", "1e308h", "8761h", "-1m"},
+     "a time such as 30s"},
+    {"--noise", {}, {"-1", "0", "-0", "1.5", "1%", "5e-324"}, "1e-06 to 1"},
+    {"--crop",
+     {},
+     {"-1", "0", "0,0", "0,0,0x0", "-1,0,4x4", "0,-1,4x4", "0,0,4", "0,0,4x", "4x4", "0,0,4x4,1",
+      "0;0;4x4", "nan,0,4x4", "0,0,9x9", "8,8,1x1", "0,0,70000x1", "9223372036854775807,0,1x1"},
+     "--crop is"},
+    {"--threads", {}, {"-1", "0", "0.5", "1025", "2147483648", "9223372036854775808"}, "1 to 1024"},
+    {"--seed", {}, {"-1", "0.5", "1e3", "18446744073709551616"}, "0 to 18446744073709551615"},
+    {"--packet",
+     {},
+     {"-1", "0", "2", "3", "32", "4.0", "04", "2147483648"},
+     "it must be 1, 4, 8 or 16"},
+    {"--exposure", {}, {"64.5", "-65", "1stop"}, "-64 to 64"},
+    {"--spectral-bins", {}, {"-1", "0.5", "941", "2147483648"}, "0 to 940"},
+    {"--max-depth", {}, {"-1", "0.5", "100001", "2147483648"}, "0 to 100000"},
+    {"--pixel",
+     {"--sample", "0"},
+     {"-1", "0", "0,", ",0", "-1,0", "0,-1", "8,0", "0,8", "0,0,0", "0x0", "65536,0", "nan,nan"},
+     "--pixel is"},
+    {"--sample",
+     {"--pixel", "0,0"},
+     {"-1", "0.5", "16777216", "9223372036854775808"},
+     "0 to 16777215"},
+    {"--gamut", {}, {"0", "-1", "Clip", "towards_white"}, "--gamut is"},
+    {"--wavelengths", {}, {"0", "Visual", "visible", "550"}, "--wavelengths is"},
+    {"--estimator", {}, {"0", "PATH", "path "}, "--estimator is"},
+    {"--progress", {}, {"0", "Auto", "bars"}, "--progress is"},
+    {"--output", {}, {"0", "png", "a.PNGG", "a.exr/", "/", ".", ".."}, "ends in .exr or .png"},
+};
+const std::vector<Option> kGlassOptions{
+    {"--at", {}, {"-1", "0", "199.9", "3001", "550nm", "5e-324"}, "200 to 3000"},
+};
+
+/// Names of the options that take a value: in lines such as "  -o,--output FILE   A picture".
+std::set<std::string> options_of_help(const std::vector<std::string>& subcommand) {
+    const Folder folder;
+    std::vector<std::string> arguments = subcommand;
+    arguments.push_back("--help");
+    const std::string help = run_program(DEWBOW_BINARY, arguments, folder.path()).standard_output;
+    std::set<std::string> names;
+    for (std::size_t at = 0; at < help.size(); at = help.find('\n', at) + 1) {
+        const std::string line = help.substr(at, help.find('\n', at) - at);
+        const std::size_t name = line.find("--");
+        if (!line.starts_with("  -") || name == std::string::npos) continue;
+        const std::size_t end = std::min(line.find(' ', name), line.size());
+        const bool takes_value = end + 1 < line.size() && line[end + 1] != ' ';
+        if (takes_value) names.insert(line.substr(name, end - name));
+    }
+    return names;
+}
+
+std::set<std::string> names_of(const std::vector<Option>& options) {
+    std::set<std::string> names;
+    for (const Option& option : options) names.insert(option.name);
+    return names;
+}
+
+/// Written --name=value where the value would else look like an option.
+void refuses(const std::vector<std::string>& command, const Option& option,
+             const std::string& value, const Folder& folder) {
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.end(), option.words_before.begin(), option.words_before.end());
+    if (value.starts_with("-")) {
+        arguments.push_back(option.name + "=" + value);
+    } else {
+        arguments.insert(arguments.end(), {option.name, value});
+    }
+    const Outcome outcome = run_program(DEWBOW_BINARY, arguments, folder.path());
+    EXPECT_EQ(faults_of_answer(outcome, kWrongUse, {option.name, option.expected}), "")
+        << option.name << " \"" << value << '"';
+}
+
+void refuse_all(const std::vector<std::string>& command, const std::vector<Option>& options) {
+    const Folder folder;
+    folder.put("scene.toml", "[film]\nwidth = 8\nheight = 8\n[render]\nsamples_per_pixel = 1\n");
+    folder.put("scene.png", "an older picture");
+    const auto before = folder.snapshot();
+    for (const Option& option : options) {
+        for (const std::string& value : kNoNumbers) {
+            const bool is_place = option.name == "--pixel" && value == "1,5";
+            if (!is_place) refuses(command, option, value, folder);
+        }
+        for (const std::string& value : option.wrong) refuses(command, option, value, folder);
+    }
+    EXPECT_EQ(folder.snapshot(), before);
+}
+
+TEST(Options, AllAreInTheTable) {
+    EXPECT_EQ(options_of_help({"render"}), names_of(kRenderOptions));
+    EXPECT_EQ(options_of_help({"glass", "show"}), names_of(kGlassOptions));
+}
+
+TEST(Options, OfRenderRefuseAbsurdValues) { refuse_all({"render", "scene.toml"}, kRenderOptions); }
+
+TEST(Options, OfGlassRefuseAbsurdValues) { refuse_all({"glass", "show", "N-BK7"}, kGlassOptions); }
+
+/// The least and the most that an option takes is taken: the limits that messages state are true.
+TEST(Options, LimitsAreTaken) {
+    const std::vector<std::vector<std::string>> right{
+        {"--seed", "18446744073709551615"},
+        {"--seed", "0"},
+        {"--threads", "1024"},
+        {"--packet", "16"},
+        {"--packet", "1"},
+        {"--exposure", "-64"},
+        {"--exposure", "64"},
+        {"--spectral-bins", "0"},
+        {"--spectral-bins", "940"},
+        {"--max-depth", "0"},
+        {"--max-depth", "100000"},
+        {"--crop", "7,7,1x1"},
+        {"--noise", "1"},
+        {"--time", "5e-324s"},
+        {"--size", "1x1"},
+    };
+    for (const std::vector<std::string>& words : right) {
+        const Folder folder;
+        folder.put("scene.toml",
+                   "[film]\nwidth = 8\nheight = 8\n[render]\nsamples_per_pixel = 1\n");
+        std::vector<std::string> arguments{"render",  "scene.toml", "-o",
+                                           "new.exr", "-o",         "new.png"};
+        arguments.insert(arguments.end(), words.begin(), words.end());
+        const Outcome outcome = run_program(DEWBOW_BINARY, arguments, folder.path());
+        EXPECT_EQ(outcome.exit_code, 0) << words[0] << ' ' << words[1] << outcome.standard_error;
+        EXPECT_EQ(folder.snapshot().size(), 3u) << words[0] << ' ' << words[1];
+    }
+}
+
+}  // namespace
+}  // namespace dewbow::faults
