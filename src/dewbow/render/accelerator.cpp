@@ -22,6 +22,12 @@ namespace {
 /// starts on it: it left the other triangle of a flat facet. Some hundred times the rounding of
 /// that distance.
 constexpr double kSamePlane = 1e-13;
+/// Embree's single precision may put the start of a ray on the wrong side of a triangle that is
+/// nearer than this times the size of the coordinates: 16 roundings.
+constexpr double kTouch = 1e-6;
+/// How far behind its start a ray is looked at for such a triangle, in the same measure: those that
+/// it meets at a sine above kTouch / kLookBack are found.
+constexpr double kLookBack = 1e-4;
 /// Fewer rays than this go through the tree one by one.
 constexpr int kLeastForPacket = 4;
 /// Things nearer to a light than this share of the distance do not hide it: rounding of the light's
@@ -47,7 +53,12 @@ struct Query {
     RTCIntersectContext context;  // must be first
     const RayLanes* rays;
     std::array<double, kMaxLanes> t;  ///< nearest hit so far; the limit, for shadow rays
+    /// Where Embree's ray starts, along the true one: rays from afar at the scene's edge, because
+    /// its
+    /// precision is that of the distance.
+    std::array<double, kMaxLanes> start;
     double scale;
+    bool back = false;  ///< looks for the way out that a ray had at its very start
 };
 /// Whether the vertex normals, if any, say no more than the triangles themselves.
 bool normals_are_flat(const Mesh& mesh, const WorldMesh& world) {
@@ -69,6 +80,8 @@ struct Accelerator::Tree {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     double scale = 1.0;
+    Vec3 centre;  ///< of a ball around all bounded shapes
+    double radius = std::numeric_limits<double>::infinity();
     std::vector<WorldMesh> meshes;        // geometry ID = index
     std::vector<AnalyticShape> analytic;  // bounded ones, one user geometry after the meshes
     std::vector<int> analytic_shape;      // index into Scene::shapes
@@ -83,6 +96,8 @@ struct Accelerator::Tree {
 
     LaneMask leave_undisturbed(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     void intersect(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
+    double start_of(Vec3 origin, Vec3 direction) const;
+    void look_back(const RayLanes& rays, int k, Hit& hit) const;
     void add_mesh(const Shape& shape, int index);
     void attach_analytic();
     void finish_lane(const RayLanes& rays, int k, Hit& hit) const;
@@ -110,11 +125,22 @@ void Accelerator::Tree::filter(const RTCFilterFunctionNArguments* args) {
         const bool same_shape = from.shape == mesh.shape;
         const FacetPlane& plane = mesh.planes[std::size_t(primitive)];
         const double height = plane.distance - dot(plane.normal, rays.origin(int(k)));
-        const double t = height / dot(plane.normal, rays.direction(int(k)));
-        bool accept = t > 0.0 && t < query.t[k];
-        if (same_shape)
-            accept = accept && from.primitive != primitive &&
-                     std::abs(height) > kSamePlane * query.scale;
+        const double slope = dot(plane.normal, rays.direction(int(k)));
+        double t = height / slope;
+        if (query.back) t = std::max(0.0, t);
+        bool accept = query.back ? t < query.t[k] : t > 0.0 && t < query.t[k];
+        if (same_shape) {
+            // Inside, only the way out is near; outside, only the way in.
+            const double distance = std::abs(height);
+            const bool likely = (slope > 0.0) == from.inward;
+            accept = accept && from.primitive != primitive;
+            if (query.back)
+                accept = accept && likely && distance <= kTouch * query.scale;
+            else
+                accept = accept && distance > (likely ? kSamePlane : kTouch) * query.scale;
+        } else if (query.back) {
+            accept = false;
+        }
         if (kOccluded) accept = accept && !mesh.see_through;
         if (!accept)
             args->valid[i] = 0;
@@ -128,6 +154,7 @@ void Accelerator::Tree::meet_analytic(RTCIntersectContext* context, unsigned pri
                                       const int* valid, RTCRayN* ray, RTCHitN* hit,
                                       unsigned geometry) const {
     Query& query = query_of(context);
+    if (query.back) return;
     const AnalyticShape& shape = analytic[primitive];
     const int index = analytic_shape[primitive];
     if (kOccluded && see_through[std::size_t(index)]) return;
@@ -146,7 +173,7 @@ void Accelerator::Tree::meet_analytic(RTCIntersectContext* context, unsigned pri
             continue;
         }
         query.t[k] = t;
-        RTCRayN_tfar(ray, n, i) = float(t);
+        RTCRayN_tfar(ray, n, i) = float(t - query.start[k]);
         RTCHitN_geomID(hit, n, i) = geometry;
         RTCHitN_primID(hit, n, i) = primitive;
         RTCHitN_u(hit, n, i) = float(face);  // carried through Embree's record
@@ -239,7 +266,11 @@ Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
     rtcSetSceneBuildQuality(tree.scene, RTC_BUILD_QUALITY_HIGH);
     tree.see_through = std::move(see_through);
     const Bounds bounds = bounds_of(scene);
-    if (!bounds.empty()) tree.scale = std::max(length(bounds.low), length(bounds.high));
+    if (!bounds.empty()) {
+        tree.scale = std::max(length(bounds.low), length(bounds.high));
+        tree.centre = bounds.centre();
+        tree.radius = bounds.radius() + 0.01 * tree.scale;
+    }
 
     std::size_t mesh_count = 0;
     for (const Shape& shape : scene.shapes) mesh_count += !AnalyticShape::holds(shape.geometry);
@@ -298,11 +329,12 @@ void Accelerator::Tree::meet_planes(const RayLanes& rays, int k, Hit& hit) const
 namespace {
 
 template <class RayHit>
-void load_ray(const RayLanes& rays, int n, RayHit& packet) {
-    for (int k = 0; k < n; ++k) {
-        packet.ray.org_x[k] = float(rays.ox[k]);
-        packet.ray.org_y[k] = float(rays.oy[k]);
-        packet.ray.org_z[k] = float(rays.oz[k]);
+void load_rays(const Query& query, int n, RayHit& packet) {
+    const RayLanes& rays = *query.rays;
+    for (std::size_t k = 0; k < std::size_t(n); ++k) {
+        packet.ray.org_x[k] = float(rays.ox[k] + query.start[k] * rays.dx[k]);
+        packet.ray.org_y[k] = float(rays.oy[k] + query.start[k] * rays.dy[k]);
+        packet.ray.org_z[k] = float(rays.oz[k] + query.start[k] * rays.dz[k]);
         packet.ray.dir_x[k] = float(rays.dx[k]);
         packet.ray.dir_y[k] = float(rays.dy[k]);
         packet.ray.dir_z[k] = float(rays.dz[k]);
@@ -317,15 +349,25 @@ void load_ray(const RayLanes& rays, int n, RayHit& packet) {
     }
 }
 
-RTCRay load_ray(const Ray& ray, float limit) {
+/// @param limit  along the true ray.
+RTCRay load_ray(const Query& query, int k, double limit) {
+    const double start = query.start[std::size_t(k)];
+    const Vec3 d = query.rays->direction(k), origin = query.rays->origin(k) + d * start;
     RTCRay result{};
-    result.org_x = float(ray.origin.x), result.org_y = float(ray.origin.y);
-    result.org_z = float(ray.origin.z);
-    result.dir_x = float(ray.direction.x), result.dir_y = float(ray.direction.y);
-    result.dir_z = float(ray.direction.z);
+    result.org_x = float(origin.x), result.org_y = float(origin.y), result.org_z = float(origin.z);
+    result.dir_x = float(d.x), result.dir_y = float(d.y), result.dir_z = float(d.z);
     result.tnear = 0.0f;
-    result.tfar = limit;
+    result.tfar = float(limit - start);
     result.mask = ~0u;
+    result.id = unsigned(k);
+    return result;
+}
+
+RTCRayHit load_ray_hit(const Query& query, int k, double limit) {
+    RTCRayHit result;
+    result.ray = load_ray(query, k, limit);
+    result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    result.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     return result;
 }
 
@@ -336,6 +378,7 @@ Query make_query(const RayLanes& rays, double limit, double scale, bool coherent
         coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     query.rays = &rays;
     query.t.fill(limit);
+    query.start.fill(0.0);
     query.scale = scale;
     return query;
 }
@@ -399,6 +442,35 @@ LaneMask Accelerator::Tree::leave_undisturbed(const RayLanes& rays, LaneMask mas
     return others;
 }
 
+double Accelerator::Tree::start_of(Vec3 origin, Vec3 direction) const {
+    return std::max(0.0, dot(centre - origin, direction) - radius);
+}
+
+/// A ray that went inward from a mesh has not met the way out, but something else or nothing. Where
+/// it started near an edge, Embree's ray may run outside, beside that edge; then the neighbouring
+/// triangle is the way out, at once. So Embree gets a ray that starts a little further back and
+/// inward. (No body may be left unseen: its inside would be taken for the world.)
+void Accelerator::Tree::look_back(const RayLanes& rays, int k, Hit& hit) const {
+    const SurfaceFrom& from = rays.from[std::size_t(k)];
+    const WorldMesh& mesh = meshes[std::size_t(mesh_of_shape[std::size_t(from.shape)])];
+    const Vec3 inward = mesh.planes[std::size_t(from.primitive)].normal * (-kTouch * scale);
+    Query query = make_query(rays, hit.t, scale, false);
+    query.back = true;
+    query.start[std::size_t(k)] = -kLookBack * scale;
+    RTCRayHit single = load_ray_hit(query, k, kLookBack * scale);
+    single.ray.org_x += float(inward.x);
+    single.ray.org_y += float(inward.y);
+    single.ray.org_z += float(inward.z);
+    rtcIntersect1(scene, &query.context, &single);
+    if (single.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+    hit.shape = int(single.hit.geomID);
+    hit.primitive = int(single.hit.primID);
+    hit.u = double(single.hit.u);
+    hit.v = double(single.hit.v);
+    hit.t = query.t[std::size_t(k)];
+    finish_lane(rays, k, hit);
+}
+
 Hit Accelerator::intersect(const Ray& ray) const {
     RayLanes rays;
     rays.count = 1;
@@ -416,6 +488,10 @@ void Accelerator::Tree::intersect(const RayLanes& rays, LaneMask mask, std::span
     mask = leave_undisturbed(rays, mask, hits);
     if (!mask) return;
     Query query = make_query(rays, kUnlimited, scale, rays.count > 1);
+    for (LaneMask m = mask; m; m &= m - 1) {
+        const int k = std::countr_zero(m);
+        query.start[std::size_t(k)] = start_of(rays.origin(k), rays.direction(k));
+    }
     const auto finish = [&](int k, unsigned geometry, unsigned primitive, float u, float v) {
         Hit& hit = hits[std::size_t(k)];
         hit.shape = int(geometry);
@@ -424,15 +500,15 @@ void Accelerator::Tree::intersect(const RayLanes& rays, LaneMask mask, std::span
         hit.v = double(v);
         hit.t = query.t[std::size_t(k)];
         finish_lane(rays, k, hit);
+        const SurfaceFrom& from = rays.from[std::size_t(k)];
+        if (from.inward && mesh_of_shape[std::size_t(from.shape)] >= 0 &&
+            !(hit.shape == from.shape && dot(hit.normal, rays.direction(k)) > 0.0))
+            look_back(rays, k, hit);
     };
     if (std::popcount(mask) < kLeastForPacket) {
         for (LaneMask m = mask; m; m &= m - 1) {
             const int k = std::countr_zero(m);
-            RTCRayHit single;
-            single.ray = load_ray(rays.ray(k), std::numeric_limits<float>::infinity());
-            single.ray.id = unsigned(k);
-            single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+            RTCRayHit single = load_ray_hit(query, k, kUnlimited);
             rtcIntersect1(scene, &query.context, &single);
             finish(k, single.hit.geomID, single.hit.primID, single.hit.u, single.hit.v);
         }
@@ -441,7 +517,7 @@ void Accelerator::Tree::intersect(const RayLanes& rays, LaneMask mask, std::span
     alignas(64) std::array<int, kMaxLanes> valid;
     for (int k = 0; k < kMaxLanes; ++k) valid[std::size_t(k)] = (mask >> k & 1u) ? -1 : 0;
     const auto trace_packet = [&](auto& packet, auto&& trace, int width) {
-        load_ray(rays, width, packet);
+        load_rays(query, width, packet);
         trace(valid.data(), scene, &query.context, &packet);
         for (LaneMask m = mask; m; m &= m - 1) {
             const int k = std::countr_zero(m);
@@ -476,7 +552,9 @@ bool Accelerator::occluded(const Ray& ray, double distance) const {
             return true;
     }
     Query query = make_query(rays, limit, tree.scale, false);
-    RTCRay single = load_ray(ray, float(limit));
+    query.start[0] = tree.start_of(ray.origin, ray.direction);
+    if (query.start[0] >= limit) return false;
+    RTCRay single = load_ray(query, 0, limit);
     rtcOccluded1(tree.scene, &query.context, &single);
     return single.tfar < 0.0f;
 }
