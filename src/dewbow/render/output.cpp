@@ -163,6 +163,8 @@ Attributes render_facts(const Scene& scene, const SessionResult& result,
         {"dewbow:filmHash", hexadecimal(result.film_hash)},
         {"dewbow:seconds", result.seconds},
         {"dewbow:whiteLuminance", scene.film.white_luminance},
+        // The layout's emissiveUnits leaves open whether a bin holds a sum or a density.
+        {"dewbow:spectralDensity", std::string("W.m^-2.sr^-1.nm^-1")},
     };
 }
 
