@@ -307,6 +307,42 @@ TEST(LightClosedForm, RouletteLeavesTheMeanAlone) {
     expect_mean(scene, 0.02, 4000000, 1, {{0, 0, 0.5}, {0, 0, -1}, {}});
 }
 
+/// Two mirrors of black glass: r(λ)² of the light at 45°, wavelength by wavelength. At the second
+/// one all lanes go one way, each weighted by its own reflectance over their mean. (With that
+/// weight left out by hand: z = 45. The mean over all wavelengths hardly sees it.)
+TEST(LightClosedForm, TwoReflectionsKeepEachWavelengthsShare) {
+    Scene scene = empty_scene();
+    const MediumPtr flint = glass("schott/N-SF66", make_constant(1e4));
+    const Geometry plate = Box{1.0 * m, 0.2 * m, 1.0 * m};
+    add(scene, plate, dielectric(flint),
+        rotation({0, 0, 1}, -45.0 * deg) * translation({0, -0.1, 0}));
+    add(scene, plate, dielectric(flint),
+        translation({3, 0, 0}) * rotation({0, 0, 1}, 45.0 * deg) * translation({0, -0.1, 0}));
+    add(scene, Rectangle{1.0 * m, 1.0 * m}, lamp(1.0, true),
+        translation({3, 3, 0}) * rotation({1, 0, 0}, 90.0 * deg));
+    const PreparedScene prepared(scene);
+    constexpr int kBins = 10;
+    std::array<MeanSums, kBins> bins;
+    for (std::size_t i = 0; i < 200000; ++i) {
+        const SampleKey key = independent_key(6, i);
+        const WavelengthPacket lanes = packet_of(key, 8, WavelengthSampling::uniform);
+        const PixelSample sample =
+            trace_sample(prepared, {{0, 2, 0}, {0, -1, 0}, {}}, {}, lanes, key);
+        for (std::size_t k = 0; k < 8; ++k) {
+            const double n = index_of(*flint, lanes.lambda_nm[k]);
+            const double t = std::asin(std::sqrt(0.5) / n), d = kPi / 4.0 - t, u = kPi / 4.0 + t;
+            const double s = std::sin(d) / std::sin(u), tangent = std::tan(d) / std::tan(u);
+            const double r = 0.5 * (s * s + tangent * tangent);
+            const int bin = int(kBins * (lanes.lambda_nm[k] - kLambdaMin_nm) / 470.0);
+            bins[std::size_t(std::min(bin, kBins - 1))].add(sample.radiance[k] / (r * r) - 1.0);
+        }
+    }
+    for (const MeanSums& bin : bins) {
+        EXPECT_LT(std::abs(bin.z()), kSigmas);
+        EXPECT_LT((kSigmas + kPower99) * bin.standard_error(), 0.06);
+    }
+}
+
 // ---- layers ------------------------------------------------------------------------------------
 
 /// Reflectance and transmittances of a stack of plates, without interference.
