@@ -49,7 +49,10 @@ std::optional<double> seen_within(Kind kind, const MediumPtr& interior, double l
                                   double incidence, double predicted_deviation, int count,
                                   int lane) {
     Scene scene = make_empty_scene();
-    scene.render.roulette_depth = scene.render.max_depth;
+    // Two refractions alone. (Reflected inside, a 60° prism is a Dove prism, too: it sends all
+    // wavelengths where minimum deviation sends one.)
+    scene.render.max_depth = 2;
+    scene.render.roulette_depth = 2;
     if (kind == Kind::analytic)
         add(scene, Prism{kApex_rad * unit::rad, 1.0 * m, 1.0 * m}, dielectric(interior), kAskew);
     else
