@@ -17,10 +17,7 @@ namespace dewbow {
 
 namespace {
 
-constexpr int kMaxSamplesPerPixel = 1 << 24;
 constexpr int kMaxThreads = 1024;
-constexpr int kMaxSpectralBins = 940;
-constexpr int kMaxDepth = 100000;
 constexpr double kSmallestNoise = 1e-6;
 constexpr double kMostExposureStops = 64.0;
 /// Beyond this glass catalogues say nothing.
@@ -277,9 +274,9 @@ private:
         if (t.noise) command.noise_target = parse_real("--noise", *t.noise, kSmallestNoise, 1.0);
         if (t.spp)
             command.samples_per_pixel =
-                static_cast<int>(parse_integer("--spp", *t.spp, 1, kMaxSamplesPerPixel));
+                static_cast<int>(parse_integer("--spp", *t.spp, 1, kMostSamples));
         else if (t.time || t.noise)
-            command.samples_per_pixel = kMaxSamplesPerPixel;
+            command.samples_per_pixel = kMostSamples;
         if (t.threads)
             command.threads =
                 static_cast<int>(parse_integer("--threads", *t.threads, 1, kMaxThreads));
@@ -304,10 +301,10 @@ private:
         }
         if (t.max_depth)
             command.max_depth =
-                static_cast<int>(parse_integer("--max-depth", *t.max_depth, 0, kMaxDepth));
+                static_cast<int>(parse_integer("--max-depth", *t.max_depth, 0, kMostDepth));
         if (t.spectral_bins)
             command.spectral_bins = static_cast<int>(
-                parse_integer("--spectral-bins", *t.spectral_bins, 0, kMaxSpectralBins));
+                parse_integer("--spectral-bins", *t.spectral_bins, 0, kMostSpectralBins));
     }
 
     void read_display(RenderCommand& command) const {
@@ -326,8 +323,8 @@ private:
             throw UsageError("--pixel and --sample belong together");
         if (!t.pixel) return;
         const PixelPlace place = parse_pixel("--pixel", *t.pixel);
-        command.replay = Replay{place.x, place.y,
-                                parse_integer("--sample", *t.sample, 0, kMaxSamplesPerPixel - 1)};
+        command.replay =
+            Replay{place.x, place.y, parse_integer("--sample", *t.sample, 0, kMostSamples - 1)};
     }
 
     GlassShowCommand glass_show_command() const {

@@ -225,7 +225,7 @@ void Progress::print(bool last) {
                                                                 : Clock::duration(kLineInterval));
     const bool far_enough = bar || state.percent() >= last_percent_ + kLinePercentStep;
     if (!last && !(late_enough && far_enough)) return;
-    if (last && !bar && state.percent() == last_percent_) return;  // said already
+    if (last && style_ == ProgressStyle::plain && state.percent() == last_percent_) return;  // said
 
     last_print_ = now;
     last_percent_ = state.percent();

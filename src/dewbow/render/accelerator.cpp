@@ -19,9 +19,13 @@ namespace dewbow {
 namespace {
 
 /// A ray whose origin is nearer to a triangle's plane than this times the size of the coordinates
-/// starts on it: it left the other triangle of a flat facet. Some hundred times the rounding of
-/// that distance.
+/// starts on it: it left the other triangle of a flat facet, or a body that stands on it. Some
+/// hundred times the rounding of that distance.
 constexpr double kSamePlane = 1e-13;
+/// Embree's rays start this far behind the surface that they leave, in the same measure, so that
+/// single precision does not put them beyond what touches it. The filter refuses what is met too
+/// early.
+constexpr double kHeadStart = 1e-5;
 /// Embree's single precision may put the start of a ray on the wrong side of a triangle that is
 /// nearer than this times the size of the coordinates: 16 roundings.
 constexpr double kTouch = 1e-6;
@@ -96,7 +100,7 @@ struct Accelerator::Tree {
 
     LaneMask leave_undisturbed(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     void intersect(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
-    double start_of(Vec3 origin, Vec3 direction) const;
+    double start_of(const Ray& ray) const;
     void look_back(const RayLanes& rays, int k, Hit& hit) const;
     void add_mesh(const Shape& shape, int index);
     void attach_analytic();
@@ -127,8 +131,14 @@ void Accelerator::Tree::filter(const RTCFilterFunctionNArguments* args) {
         const double height = plane.distance - dot(plane.normal, rays.origin(int(k)));
         const double slope = dot(plane.normal, rays.direction(int(k)));
         double t = height / slope;
-        if (query.back) t = std::max(0.0, t);
-        bool accept = query.back ? t < query.t[k] : t > 0.0 && t < query.t[k];
+        const double contact = kSamePlane * query.scale;
+        if (query.back || (!same_shape && slope < 0.0 && std::abs(height) <= contact))
+            t = std::max(0.0, t);  // at its start already
+        else if (!(t > 0.0))
+            t = kUnlimited;
+        else if (same_shape && from.inward && slope > 0.0)
+            t = std::max(0.0, t - contact);  // out of the body before into what it stands on
+        bool accept = t < query.t[k];
         if (same_shape) {
             // Inside, only the way out is near; outside, only the way in.
             const double distance = std::abs(height);
@@ -137,7 +147,7 @@ void Accelerator::Tree::filter(const RTCFilterFunctionNArguments* args) {
             if (query.back)
                 accept = accept && likely && distance <= kTouch * query.scale;
             else
-                accept = accept && distance > (likely ? kSamePlane : kTouch) * query.scale;
+                accept = accept && distance > (likely ? contact : kTouch * query.scale);
         } else if (query.back) {
             accept = false;
         }
@@ -200,7 +210,8 @@ void Accelerator::Tree::add_mesh(const Shape& shape, int index) {
     }
     if (normals_are_flat(mesh, world)) {
         world.normals.clear();
-        world.solid = ConvexSolid::from_triangles(vertices, mesh.triangles, world.planes);
+        world.solid =
+            ConvexSolid::from_triangles(vertices, mesh.triangles, world.planes, kSamePlane * scale);
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* floats = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -282,7 +293,7 @@ Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
         if (!AnalyticShape::holds(shape.geometry)) {
             tree.mesh_of_shape.back() = int(tree.meshes.size());
             tree.add_mesh(shape, int(i));
-        } else if (AnalyticShape analytic(shape); analytic.infinite()) {
+        } else if (AnalyticShape analytic(shape, kSamePlane * tree.scale); analytic.infinite()) {
             tree.planes.push_back(analytic);
             tree.plane_shape.push_back(int(i));
         } else {
@@ -442,8 +453,11 @@ LaneMask Accelerator::Tree::leave_undisturbed(const RayLanes& rays, LaneMask mas
     return others;
 }
 
-double Accelerator::Tree::start_of(Vec3 origin, Vec3 direction) const {
-    return std::max(0.0, dot(centre - origin, direction) - radius);
+/// Where along a ray Embree is to begin.
+double Accelerator::Tree::start_of(const Ray& ray) const {
+    const double at_edge = dot(centre - ray.origin, ray.direction) - radius;
+    if (at_edge > 0.0) return at_edge;
+    return ray.from.shape >= 0 ? -kHeadStart * scale : 0.0;
 }
 
 /// A ray that went inward from a mesh has not met the way out, but something else or nothing. Where
@@ -490,7 +504,7 @@ void Accelerator::Tree::intersect(const RayLanes& rays, LaneMask mask, std::span
     Query query = make_query(rays, kUnlimited, scale, rays.count > 1);
     for (LaneMask m = mask; m; m &= m - 1) {
         const int k = std::countr_zero(m);
-        query.start[std::size_t(k)] = start_of(rays.origin(k), rays.direction(k));
+        query.start[std::size_t(k)] = start_of(rays.ray(k));
     }
     const auto finish = [&](int k, unsigned geometry, unsigned primitive, float u, float v) {
         Hit& hit = hits[std::size_t(k)];
@@ -552,7 +566,7 @@ bool Accelerator::occluded(const Ray& ray, double distance) const {
             return true;
     }
     Query query = make_query(rays, limit, tree.scale, false);
-    query.start[0] = tree.start_of(ray.origin, ray.direction);
+    query.start[0] = tree.start_of(ray);
     if (query.start[0] >= limit) return false;
     RTCRay single = load_ray(query, 0, limit);
     rtcOccluded1(tree.scene, &query.context, &single);

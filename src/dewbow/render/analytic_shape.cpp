@@ -30,8 +30,10 @@ bool AnalyticShape::holds(const Geometry& geometry) {
     return !std::holds_alternative<std::shared_ptr<const Mesh>>(geometry);
 }
 
-AnalyticShape::AnalyticShape(const Shape& shape)
-    : object_from_world_(shape.world_from_object.inverse().affine()),
+AnalyticShape::AnalyticShape(const Shape& shape, double contact)
+    : contact_(contact *
+               std::cbrt(std::abs(shape.world_from_object.inverse().affine().determinant()))),
+      object_from_world_(shape.world_from_object.inverse().affine()),
       world_from_object_(shape.world_from_object) {
     using unit::m;
     const auto add_face = [this](Vec3 normal, Vec3 point) {
@@ -87,7 +89,7 @@ bool AnalyticShape::intersect_sphere(Vec3 o, Vec3 d, bool from_here, bool inward
         // The origin is one root, so the other lies as far behind the middle as the origin before
         // it.
         if (!inward) return false;
-        t = std::max(0.0, 2.0 * middle);
+        t = std::max(0.0, 2.0 * middle - contact_);
         return t < t_max;
     }
     // The distance of the ray from the centre, without the cancellation of b² − 4ac.
@@ -99,10 +101,16 @@ bool AnalyticShape::intersect_sphere(Vec3 o, Vec3 d, bool from_here, bool inward
     return t > 0.0 && t < t_max;
 }
 
+/// Whether a ray goes into a face on which it starts, up to rounding. `height` is the distance from
+/// the origin to the plane along its outward normal, `slope` the change of it along the ray.
+bool AnalyticShape::enters_at_start(double height, double slope) const {
+    return slope < 0.0 && std::abs(height) <= contact_;
+}
+
 bool AnalyticShape::intersect_flat(Vec3 o, Vec3 d, bool from_here, double t_max, double& t) const {
     if (from_here || d.z == 0.0) return false;
-    t = -o.z / d.z;
-    if (!(t > 0.0 && t < t_max)) return false;
+    t = enters_at_start(o.z, d.z) ? std::max(0.0, -o.z / d.z) : -o.z / d.z;
+    if (!((t > 0.0 || enters_at_start(o.z, d.z)) && t < t_max)) return false;
     const double x = o.x + t * d.x, y = o.y + t * d.y;
     if (kind_ == Kind::disc) return x * x + y * y <= radius_ * radius_;
     if (kind_ == Kind::rectangle) return std::abs(x) <= half_width_ && std::abs(y) <= half_height_;
@@ -112,7 +120,7 @@ bool AnalyticShape::intersect_flat(Vec3 o, Vec3 d, bool from_here, double t_max,
 bool AnalyticShape::intersect_polyhedron(Vec3 o, Vec3 d, bool from_here, bool inward, double t_max,
                                          double& t, int& face) const {
     if (from_here && !inward) return false;
-    double t_in = -kInfinity, t_out = kInfinity;
+    double t_in = -kInfinity, t_out = kInfinity, height_in = 0.0;
     int face_in = -1, face_out = -1;
     for (int i = 0; i < face_count_; ++i) {
         const Face& plane = faces_[std::size_t(i)];
@@ -124,17 +132,17 @@ bool AnalyticShape::intersect_polyhedron(Vec3 o, Vec3 d, bool from_here, bool in
         }
         const double at = height / slope;
         if (slope > 0.0 && at < t_out) t_out = at, face_out = i;
-        if (slope < 0.0 && at > t_in) t_in = at, face_in = i;
+        if (slope < 0.0 && at > t_in) t_in = at, face_in = i, height_in = height;
     }
     if (from_here) {
         // Inside by knowledge, whatever rounding says: the ray leaves, if only at once.
-        t = std::max(0.0, t_out);
+        t = std::max(0.0, t_out - contact_);
         face = face_out;
         return t < t_max;
     }
     if (t_in > t_out || t_out <= 0.0) return false;
-    const bool enters = t_in > 0.0;
-    t = enters ? t_in : t_out;
+    const bool enters = t_in > 0.0 || (face_in >= 0 && enters_at_start(height_in, -1.0));
+    t = enters ? std::max(0.0, t_in) : t_out;
     face = enters ? face_in : face_out;
     return t < t_max;
 }

@@ -14,7 +14,9 @@ class AnalyticShape {
 public:
     /// True for every geometry but meshes.
     static bool holds(const Geometry& geometry);
-    explicit AnalyticShape(const Shape& shape);
+    /// @param contact  distance in metres within which a ray that starts on another shape starts on
+    /// this one too: bodies may stand on each other.
+    AnalyticShape(const Shape& shape, double contact);
 
     /// Nearest hit with 0 < t < t_max.  @param from_here  the ray starts on this shape.
     /// Sets t and primitive (the face of a polyhedron); returns whether there is one.
@@ -30,6 +32,7 @@ private:
         Vec3 normal;  ///< outward, unit, object frame
         double distance;
     };
+    bool enters_at_start(double height, double slope) const;
     bool intersect_sphere(Vec3 o, Vec3 d, bool from_here, bool inward, double t_max,
                           double& t) const;
     bool intersect_flat(Vec3 o, Vec3 d, bool from_here, double t_max, double& t) const;
@@ -37,6 +40,7 @@ private:
                               int& face) const;
 
     Kind kind_ = Kind::plane;
+    double contact_;  ///< in the object frame
     Affine object_from_world_;
     Transform<World, Object> world_from_object_;
     double radius_ = 0.0, half_width_ = 0.0, half_height_ = 0.0;

@@ -151,10 +151,11 @@ DEWBOW_SIMD void distances_to_facet(const FacetPlane& plane, const FacetPlane* n
 
 std::optional<ConvexSolid> ConvexSolid::from_triangles(
     const std::vector<Vec3>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles,
-    const std::vector<FacetPlane>& planes) {
+    const std::vector<FacetPlane>& planes, double contact) {
     double scale = 0.0;
     for (const Vec3& v : vertices) scale = std::max(scale, length(v));
     ConvexSolid solid;
+    solid.contact_ = contact;
     const std::vector<int> facet_of = merge_facets(planes, scale, solid.facets_);
     if (facet_of.empty() || solid.facets_.size() < 4) return std::nullopt;
     for (const FacetPlane& f : solid.facets_)
@@ -204,7 +205,7 @@ void ConvexSolid::set_hit(int facet, const RayLanes& rays, int lane, Hit& hit) c
     const FacetPlane& plane = facets_[std::size_t(facet)];
     const double slope = dot(plane.normal, rays.direction(lane));
     const double height = plane.distance - dot(plane.normal, rays.origin(lane));
-    hit.t = slope > 0.0 ? std::max(0.0, height / slope) : 0.0;
+    hit.t = slope > 0.0 ? std::max(0.0, height / slope - contact_) : 0.0;
     hit.primitive = triangle_of_facet_[std::size_t(facet)];
     hit.normal = plane.normal;
     hit.u = hit.v = 0.0;
@@ -226,7 +227,7 @@ LaneMask ConvexSolid::try_facet(int facet, const RayLanes& rays, LaneMask mask,
             continue;
         }
         Hit& hit = hits[k];
-        hit.t = t[k];
+        hit.t = std::max(0.0, t[k] - contact_);
         hit.primitive = triangle_of_facet_[std::size_t(facet)];
         hit.normal = plane.normal;
         hit.u = hit.v = 0.0;

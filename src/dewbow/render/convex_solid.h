@@ -22,11 +22,12 @@ struct FacetPlane {
 class ConvexSolid {
 public:
     /// The solid of these triangles, or nothing if it is not convex, not closed or has more than
-    /// kMostFacets facets.  @param planes  of the triangles, outward.
+    /// kMostFacets facets.  @param planes  of the triangles, outward.  @param contact  rays leave
+    /// this much too early, so that they do so before they meet what the solid stands on.
     static std::optional<ConvexSolid> from_triangles(
         const std::vector<Vec3>& vertices,
         const std::vector<std::array<std::uint32_t, 3>>& triangles,
-        const std::vector<FacetPlane>& planes);
+        const std::vector<FacetPlane>& planes, double contact);
 
     /// Searching more facets one by one costs more than a tree.
     static constexpr int kMostFacets = 256;
@@ -43,6 +44,7 @@ private:
     LaneMask try_facet(int facet, const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     void set_hit(int facet, const RayLanes& rays, int lane, Hit& hit) const;
 
+    double contact_ = 0.0;
     std::vector<FacetPlane> facets_;
     std::vector<int> triangle_of_facet_;
     std::vector<std::vector<FacetPlane>> neighbours_;  // planes of the facets that share an edge

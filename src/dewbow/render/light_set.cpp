@@ -120,7 +120,8 @@ void LightSet::add_shape_light(const Scene& scene, int shape_index) {
         const std::optional<double> scale = uniform_scale(affine);
         entry.kind = scale ? Kind::sphere : Kind::ellipsoid;
         entry.position = affine.apply({});
-        entry.radius = sphere->radius.to(unit::m) * scale.value_or(1.0);
+        entry.object_radius = sphere->radius.to(unit::m);
+        entry.radius = entry.object_radius * scale.value_or(1.0);
         const double mean_scale = std::cbrt(std::abs(affine.determinant()));
         entry.area = 4.0 * kPi * std::pow(sphere->radius.to(unit::m) * mean_scale, 2.0);
     } else if (const auto* disc = std::get_if<Disc>(&shape.geometry)) {
@@ -198,7 +199,7 @@ LightSet::SurfacePoint LightSet::sample_surface(const Entry& entry, std::array<d
                 entry.world_from_object(Normal<Object>{{0, 0, 1}}).v, 1.0 / entry.area};
     }
     const Vec3 n = sample_uniform_sphere<Object>(u[0], u[1]).v;
-    const Vec3 point = entry.world_from_object(Point<Object>{n * entry.radius}).v;
+    const Vec3 point = entry.world_from_object(Point<Object>{n * entry.object_radius}).v;
     return {point, entry.world_from_object(Normal<Object>{n}).v, pdf_area(entry, point)};
 }
 

@@ -28,8 +28,6 @@ class LightSet {
 public:
     explicit LightSet(const Scene& scene);
 
-    bool empty() const { return lights_.empty(); }
-
     /// A direction from `from` to some light: nothing if the one chosen is not visible from there.
     std::optional<LightSample> sample(Vec3 from, double u_choice, std::array<double, 2> u) const;
     /// Radiance (for lights without extent: irradiance on a surface that faces it, per pdf) that
@@ -59,11 +57,12 @@ private:
         SpectrumPtr spectrum;
         int shape = -1;
         bool two_sided = false;
-        double area = 0.0;    // triangles, disc
-        double power = 0.0;   // relative, for the choice
-        Vec3 position, axis;  // of spots, distant lights, spheres
-        double radius = 0.0;
-        double cone_width = 0.0;  // 1 − cos of the half angle: distant
+        double area = 0.0;           // triangles, disc
+        double power = 0.0;          // relative, for the choice
+        Vec3 position, axis;         // of spots, distant lights, spheres
+        double radius = 0.0;         // of spheres in the world's frame, of discs in their own
+        double object_radius = 0.0;  // of spheres and ellipsoids in their own frame
+        double cone_width = 0.0;     // 1 − cos of the half angle: distant
         double cos_scale = 0.0, cos_offset = 0.0;
         std::vector<std::array<Vec3, 3>> corners;
         std::optional<Distribution1D> by_area;

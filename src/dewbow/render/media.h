@@ -78,8 +78,8 @@ private:
     std::uint64_t generation_ = 0;
 };
 
-/// The media that `point` lies in, found by a ray to the outside.
 class Accelerator;
+/// The media that `point` lies in, found by rays to the outside.
 MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
                     const Accelerator& accelerator);
 

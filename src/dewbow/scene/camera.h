@@ -30,8 +30,8 @@ struct PixelFilter {
 struct Film {
     int width = 960, height = 540;
     PixelFilter filter;
-    /// Luminance in cd m⁻² that (1, 1, 1) of the written picture stands for, and that a screen shows as
-    /// white at exposure 0. Default: that of the constant spectrum 1 W m⁻² sr⁻¹ nm⁻¹.
+    /// Luminance in cd m⁻² that (1, 1, 1) of the written picture stands for, and that a screen
+    /// shows as white at exposure 0. Default: that of the constant spectrum 1 W m⁻² sr⁻¹ nm⁻¹.
     double white_luminance = kLuminousEfficacy * 106.856917;
     double exposure_stops = 0.0;
     /// Wavelength bins of the spectral layers, even over 360–830 nm; 0 = none.

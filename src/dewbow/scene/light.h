@@ -29,8 +29,8 @@ struct SpotLight {
 
 /// Light from infinitely far: all directions within `angular_radius` of −direction, evenly.
 struct DistantLight {
-    Dir<World> direction;  ///< in which the light travels
-    Angle angular_radius;  ///< 0 = parallel; the sun: 0.2666°
+    Dir<World> direction;    ///< in which the light travels
+    Angle angular_radius;    ///< 0 = parallel; the sun: 0.2666°
     SpectrumPtr irradiance;  ///< on a surface that faces the light, W m⁻² nm⁻¹
 };
 
@@ -39,8 +39,8 @@ struct UniformEnvironment {
     SpectrumPtr radiance;  ///< W m⁻² sr⁻¹ nm⁻¹
 };
 
-/// Radiance by direction from an equirectangular picture. Row 0 is straight up (+y); the picture's centre is
-/// −z in its own frame, and longitude grows to the right (towards +x).
+/// Radiance by direction from an equirectangular picture. Row 0 is straight up (+y); the picture's
+/// centre is −z in its own frame, and longitude grows to the right (towards +x).
 struct ImageEnvironment {
     int width = 0, height = 0;
     /// Row-major; (1,1,1) is D65 of the radiance whose Y is that of the constant spectrum 1.

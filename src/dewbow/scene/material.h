@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a surface does to light. A new kind is a struct here, its lobes in render/bsdf, and a row in the
-// importers that know it.
+// What a surface does to light. A new kind is a struct here, its lobes in render/bsdf, and a row in
+// the importers that know it.
 
 #include <optional>
 #include <string>
@@ -36,8 +36,8 @@ struct ThinDielectric {
     SpectrumPtr tint;  ///< factor on transmitted light; nullptr = 1
 };
 
-/// glTF's metallic-roughness surface: GGX over Lambert, or a metal whose reflectance at normal incidence is
-/// the base colour.
+/// glTF's metallic-roughness surface: GGX over Lambert, or a metal whose reflectance at normal
+/// incidence is the base colour.
 struct MetallicRoughness {
     SpectrumPtr base_colour;
     double metalness = 1.0;
@@ -45,7 +45,9 @@ struct MetallicRoughness {
     double ior = 1.5;
 };
 
-/// Each path takes `second` with probability `second_share`, else `first` (indices of materials).
+/// At each meeting with the surface light takes `second` with probability `second_share`, else
+/// `first` (indices of materials). The parts give off no light of their own, and if both are
+/// boundaries of bodies they have the same interior.
 struct Mix {
     int first = 0, second = 0;
     double second_share = 0.5;
@@ -56,8 +58,10 @@ struct Black {};
 
 struct Material {
     std::string name;
-    std::variant<Black, Diffuse, Mirror, Dielectric, ThinDielectric, MetallicRoughness, Mix> surface;
-    /// Radiance that the surface gives off, W m⁻² sr⁻¹ nm⁻¹, the same in all directions; nullptr = none.
+    std::variant<Black, Diffuse, Mirror, Dielectric, ThinDielectric, MetallicRoughness, Mix>
+        surface;
+    /// Radiance that the surface gives off, W m⁻² sr⁻¹ nm⁻¹, the same in all directions; nullptr =
+    /// none.
     SpectrumPtr emission;
     /// Whether both sides give off light, or only the one that the normal points to.
     bool two_sided_emission = false;

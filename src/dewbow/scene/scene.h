@@ -15,6 +15,13 @@
 
 namespace dewbow {
 
+/// Most surfaces that a path may be allowed to meet.
+inline constexpr int kMostDepth = 100'000;
+/// Most samples of one pixel: what the film's sums have room for.
+inline constexpr int kMostSamples = 1 << 24;
+/// Most spectral bins of a picture: half a nanometre each.
+inline constexpr int kMostSpectralBins = 940;
+
 struct RenderSettings {
     int samples_per_pixel = 64;
     std::uint64_t seed = 0;
@@ -61,8 +68,8 @@ PerspectiveCamera frame_bounds(const Bounds& bounds, double aspect);
 /// A photographer's studio: soft boxes before dark grey, for scenes that bring no light.
 std::shared_ptr<const ImageEnvironment> make_studio_environment();
 
-/// Throws InputError naming the first thing that no renderer could work with: an index out of range, a
-/// missing spectrum, a number out of its range, no camera.
+/// Throws InputError naming the first thing that no renderer could work with: an index out of
+/// range, a missing spectrum, a number out of its range.
 void validate(const Scene& scene);
 
 }  // namespace dewbow

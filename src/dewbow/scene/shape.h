@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What there is to see, each in its own frame. Closed shapes have their normals outwards. All but the mesh
-// are intersected in closed form in double precision.
+// What there is to see, each in its own frame. Closed shapes have their normals outwards. All but
+// the mesh are intersected in closed form in double precision.
 
 #include <array>
 #include <cstdint>
@@ -40,8 +40,8 @@ struct Rectangle {
 struct Box {
     Length width, height, depth;  ///< along x, y, z
 };
-/// A triangular prism along z: an isosceles cross-section in the xy plane, its apex at the top (+y), its
-/// two sides from the apex of length `side`, its centroid at the origin.
+/// A triangular prism along z: an isosceles cross-section in the xy plane, its apex at the top
+/// (+y), its two sides from the apex of length `side`, its centroid at the origin.
 struct Prism {
     Angle apex;
     Length side;
@@ -50,7 +50,8 @@ struct Prism {
 /// The plane z = 0 without end, normal +z.
 struct Plane {};
 
-using Geometry = std::variant<std::shared_ptr<const Mesh>, Sphere, Disc, Rectangle, Box, Prism, Plane>;
+using Geometry =
+    std::variant<std::shared_ptr<const Mesh>, Sphere, Disc, Rectangle, Box, Prism, Plane>;
 
 struct Shape {
     std::string name;

@@ -9,7 +9,6 @@ namespace {
 using namespace checks;
 
 constexpr int kMaxPictureSide = 65536;
-constexpr int kMaxSpectralBins = 940;  // half a nanometre
 constexpr double kMaxFilterRadius = 16.0;
 
 void check_camera(const PerspectiveCamera& camera) {
@@ -31,17 +30,16 @@ void check_film(const Film& film) {
     check_range(who, "filter radius", film.filter.radius, 0.0, kMaxFilterRadius);
     check_positive(who, "white luminance", film.white_luminance);
     check_range(who, "exposure", film.exposure_stops, -100.0, 100.0);
-    check_range(who, "the number of spectral bins", film.spectral_bins, 0, kMaxSpectralBins);
+    check_range(who, "the number of spectral bins", film.spectral_bins, 0, kMostSpectralBins);
 }
 
 void check_render(const RenderSettings& render) {
     const std::string who = "render";
-    check_range(who, "samples per pixel", render.samples_per_pixel, 1,
-                std::numeric_limits<int>::max());
+    check_range(who, "samples per pixel", render.samples_per_pixel, 1, kMostSamples);
     if (render.packet != 1 && render.packet != 4 && render.packet != 8 && render.packet != 16) {
         fail(who, fmt::format("packet is {}; it must be 1, 4, 8 or 16", render.packet));
     }
-    check_range(who, "the greatest depth", render.max_depth, 0, std::numeric_limits<int>::max());
+    check_range(who, "the greatest depth", render.max_depth, 0, kMostDepth);
     check_range(who, "the roulette's depth", render.roulette_depth, 0,
                 std::numeric_limits<int>::max());
 }

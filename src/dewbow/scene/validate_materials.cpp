@@ -6,6 +6,15 @@
 namespace dewbow::checks {
 namespace {
 
+bool transmits(const Material& material) {
+    return std::holds_alternative<Dielectric>(material.surface) ||
+           std::holds_alternative<ThinDielectric>(material.surface);
+}
+MediumPtr interior_of(const Material& material) {
+    const auto* body = std::get_if<Dielectric>(&material.surface);
+    return body ? body->interior : nullptr;
+}
+
 struct CheckSurface {
     const std::string& who;
     const Scene& scene;
@@ -32,6 +41,14 @@ struct CheckSurface {
         check_index(who, "the first material of the mix", s.first, scene.materials.size());
         check_index(who, "the second material of the mix", s.second, scene.materials.size());
         check_range(who, "the share of the second material", s.second_share, 0.0, 1.0);
+        const Material &first = scene.materials[std::size_t(s.first)],
+                       &second = scene.materials[std::size_t(s.second)];
+        for (const Material* part : {&first, &second})
+            if (part->emission)
+                fail(who,
+                     fmt::format("its part \"{}\" gives off light; let the mix do so", part->name));
+        if (transmits(first) && transmits(second) && interior_of(first) != interior_of(second))
+            fail(who, "both of its parts let light through, into different media");
     }
 };
 

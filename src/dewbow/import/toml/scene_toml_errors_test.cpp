@@ -57,7 +57,7 @@ constexpr WrongScene kWrongScenes[] = {
     {"[film]\nwhite_luminance_cd_m2 = §-1", "white_luminance_cd_m2 is -1"},
     {"[film]\nspectral_bins = §true", "spectral_bins is the boolean true; expected a whole number"},
     {"[render]\nsamples_per_pixel = §-1",
-     "samples_per_pixel is -1; it must be between 1 and 2147483647"},
+     "samples_per_pixel is -1; it must be between 1 and 16777216"},
     {"[render]\npacket = §3", "packet is 3; it must be 1, 4, 8 or 16"},
     {"[render]\nwavelengths = §\"visible\"", "unknown wavelengths \"visible\""},
     {"[render]\nseed = §2020-01-01", "seed is a date or time; expected a whole number"},

@@ -16,7 +16,6 @@ constexpr Range kFilterRadiusRange{0.1, 16.0};
 constexpr Range kExposureRange{-100.0, 100.0};
 constexpr Range kLuminanceRange{1e-9, kHuge};
 constexpr std::int64_t kMaxSide = 65536;
-constexpr std::int64_t kMaxBins = 940;
 constexpr std::int64_t kMaxInt = std::numeric_limits<int>::max();
 constexpr std::int64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
 
@@ -66,7 +65,8 @@ void read_film(const TomlDocument& document, const TomlValue* value, Film& film)
     film.exposure_stops = table.number("exposure_stops", kExposureRange, film.exposure_stops);
     film.white_luminance =
         table.number("white_luminance_cd_m2", kLuminanceRange, film.white_luminance);
-    film.spectral_bins = int(table.integer("spectral_bins", 0, kMaxBins, film.spectral_bins));
+    film.spectral_bins =
+        int(table.integer("spectral_bins", 0, kMostSpectralBins, film.spectral_bins));
     table.finish();
 }
 
@@ -74,7 +74,7 @@ void read_render(const TomlDocument& document, const TomlValue* value, RenderSet
     if (!value) return;
     Table table(document, *value, "[render]");
     settings.samples_per_pixel =
-        int(table.integer("samples_per_pixel", 1, kMaxInt, settings.samples_per_pixel));
+        int(table.integer("samples_per_pixel", 1, kMostSamples, settings.samples_per_pixel));
     settings.seed = std::uint64_t(table.integer("seed", 0, kMaxSeed, std::int64_t(settings.seed)));
     settings.packet = read_packet(table, settings.packet);
     if (const TomlValue* name = table.find("wavelengths")) {
@@ -82,7 +82,7 @@ void read_render(const TomlDocument& document, const TomlValue* value, RenderSet
         settings.wavelengths =
             which == 0 ? WavelengthSampling::visual : WavelengthSampling::uniform;
     }
-    settings.max_depth = int(table.integer("max_depth", 0, kMaxInt, settings.max_depth));
+    settings.max_depth = int(table.integer("max_depth", 0, kMostDepth, settings.max_depth));
     settings.roulette_depth =
         int(table.integer("roulette_depth", 0, kMaxInt, settings.roulette_depth));
     table.finish();

@@ -33,6 +33,10 @@ constexpr double kSameIndex = 1e-14;
 /// Boundaries that are none (between equal media, inside overlaps) passed at one go before a path
 /// is given up: more than any real scene nests.
 constexpr int kMostPassed = 64;
+/// Of the lanes that meet something rough together, this many go on. Tuned on a room behind a pane,
+/// a room lit through one and a wall behind a prism: two are worth 1.4, 1.6 and 1.4 of one (error ×
+/// time).
+constexpr int kLanesThatGoOn = 2;
 /// Paths survive roulette with at least this probability.
 constexpr double kLeastSurvival = 0.05;
 
@@ -44,9 +48,9 @@ struct SharedPath {
     MediaStack media;
     int depth = 0;
     std::uint32_t branch = 0;  ///< tells the random numbers of suffixes apart
-    int passed = 0;
-    bool scattered = false;  ///< has met something rough
-    bool split = false;      ///< has split at a dispersive boundary
+    int passed = 0;            ///< boundaries that are none since the last that was one
+    bool scattered = false;    ///< has met something rough
+    bool split = false;        ///< has split at a dispersive boundary
     // The last scattering, for the weight of light that is found by chance.
     bool from_specular = true;
     double last_pdf = 0.0;
@@ -95,14 +99,16 @@ struct Boundary {
 class Tracer {
 public:
     Tracer(const PreparedScene& prepared, const WavelengthPacket& packet, const SampleKey& key,
-           MediaStack start, PacketMedia& media, RgbLightLanes& rgb)
+           MediaStack start, PacketMedia& media, RgbLightLanes& rgb,
+           std::vector<SharedPath>& pending)
         : prepared_(prepared),
           settings_(prepared.scene.render),
           packet_(packet),
           key_(key),
           start_medium_(start.interior()),
           packet_media_(media),
-          rgb_(rgb) {}
+          rgb_(rgb),
+          pending_(pending) {}
 
     PixelSample run(const Ray& ray, MediaStack media);
 
@@ -131,6 +137,7 @@ private:
     void open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hits,
                          const Material& material);
     void collapse(OpenPath& path, LaneMask group, const HitLanes& hits, const Material& material);
+    static int lane_at(const OpenPath& path, LaneMask group, double target);
 
     // Light.
     void add(const LaneSet& lanes, const LaneValues& beta, const LaneValues& radiance,
@@ -169,6 +176,7 @@ private:
     const int start_medium_;
     PacketMedia& packet_media_;
     RgbLightLanes& rgb_;
+    std::vector<SharedPath>& pending_;  ///< single lanes that go on from something rough
     PixelSample result_;
     std::uint32_t branches_ = 0;
 };
@@ -182,7 +190,13 @@ PixelSample Tracer::run(const Ray& ray, MediaStack media) {
     path.lanes = LaneSet::all(packet_);
     path.beta.v.fill(1.0);
     path.media = media;
+    pending_.clear();
     trace(path);
+    while (!pending_.empty()) {
+        const SharedPath next = pending_.back();
+        pending_.pop_back();
+        trace(next);
+    }
     return result_;
 }
 
@@ -202,6 +216,7 @@ void Tracer::trace(SharedPath path) {
         if (depth >= settings_.max_depth || !interact(path, hit)) return;
         // A surface that is none costs no depth, and its random numbers were used before it.
         if (path.depth == depth) continue;
+        path.passed = 0;
         const LaneMask all = (1u << path.lanes.count) - 1u;
         if (!roulette(path.beta, path.lanes.count, all, path.depth,
                       vertex_key(path.depth, path.branch)))
@@ -213,7 +228,9 @@ void Tracer::trace(SharedPath path) {
 bool Tracer::interact(SharedPath& path, const Hit& hit) {
     const Vertex vertex = vertex_at(path.ray, hit);
     int id = -1;
-    const Material& material = material_at(hit, vertex_key(path.depth, path.branch), id);
+    const std::uint32_t at =
+        vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
+    const Material& material = material_at(hit, at, id);
     if (!result_.hit && path.depth == 0 && path.branch == 0) {
         result_.hit = true;
         result_.normal = dot(vertex.shading, vertex.wo) >= 0.0 ? vertex.shading : -vertex.shading;
@@ -421,7 +438,6 @@ bool Tracer::rough(SharedPath& path, const Hit& hit, const Dielectric& glass, in
 
 void Tracer::trace_open(OpenPath path) {
     HitLanes hits;
-    int passes = 0;
     while (path.active) {
         prepared_.accelerator.intersect(path.rays, path.active, hits);
         for (int k = 0; k < path.lanes.count; ++k) {
@@ -440,8 +456,7 @@ void Tracer::trace_open(OpenPath path) {
                              lane.last_pdf, lane.last_position, lane.media);
             }
         }
-        if (path.depth >= settings_.max_depth || ++passes > settings_.max_depth + kMostPassed)
-            return;
+        if (path.depth >= settings_.max_depth) return;
         // Lanes that meet the same surface in the same way go together.
         for (LaneMask rest = path.active; rest;) {
             const auto first = std::size_t(std::countr_zero(rest));
@@ -615,7 +630,7 @@ void Tracer::open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hit
     }
 }
 
-/// Lanes that meet something rough together: each takes direct light, one goes on.
+/// Lanes that meet something rough together: each takes direct light, a few go on.
 void Tracer::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
                       const Material& material) {
     double total = 0.0;
@@ -627,21 +642,31 @@ void Tracer::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
     }
     path.active &= ~group;
     if (!(total > 0.0)) return;
-    double u = key_.one(vertex_key(path.depth, path.branch), Purpose::lane_choice) * total;
-    int chosen = -1;
-    for (int k = 0; k < path.lanes.count; ++k) {
-        if (!(group >> k & 1u) || path.beta[k] == 0.0) continue;
-        chosen = k;
-        u -= path.beta[k];
-        if (u < 0.0) break;
+    const int count = std::min(kLanesThatGoOn, std::popcount(group));
+    const double u = key_.one(vertex_key(path.depth, path.branch), Purpose::lane_choice);
+    for (int i = 0; i < count; ++i) {
+        const int chosen = lane_at(path, group, (u + i) / count * total);
+        SharedPath lane = lane_of(path, chosen);
+        lane.branch = ++branches_;
+        const Vertex vertex = vertex_at(lane.ray, hits[std::size_t(chosen)]);
+        lane.beta[0] = total / count;  // β over the expected number of times that it is chosen
+        if (scatter(lane, vertex, material, false) &&
+            roulette(lane.beta, 1, 1u, lane.depth, vertex_key(lane.depth, lane.branch)))
+            pending_.push_back(lane);
     }
-    SharedPath lane = lane_of(path, chosen);
-    lane.branch = ++branches_;
-    const Vertex vertex = vertex_at(lane.ray, hits[std::size_t(chosen)]);
-    lane.beta[0] = total;  // β / (β / total)
-    if (!scatter(lane, vertex, material, false)) return;
-    if (!roulette(lane.beta, 1, 1u, lane.depth, vertex_key(lane.depth, lane.branch))) return;
-    trace(lane);
+}
+
+/// The lane of `group` in which the running sum of throughputs passes `target`.
+int Tracer::lane_at(const OpenPath& path, LaneMask group, double target) {
+    int chosen = std::countr_zero(group);
+    for (LaneMask rest = group; rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
+        if (path.beta[k] == 0.0) continue;
+        chosen = k;
+        target -= path.beta[k];
+        if (target < 0.0) break;
+    }
+    return chosen;
 }
 
 // ---- light -------------------------------------------------------------------------------------
@@ -845,6 +870,7 @@ struct Scratch {
     std::uint64_t serial = 0;
     std::optional<PacketMedia> media;
     RgbLightLanes rgb;
+    std::vector<SharedPath> pending;
 };
 
 }  // namespace
@@ -858,7 +884,8 @@ PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaSta
     }
     scratch.media->begin(wavelengths);
     scratch.rgb.begin(wavelengths);
-    return Tracer(prepared, wavelengths, key, media, *scratch.media, scratch.rgb).run(ray, media);
+    return Tracer(prepared, wavelengths, key, media, *scratch.media, scratch.rgb, scratch.pending)
+        .run(ray, media);
 }
 
 }  // namespace dewbow
