@@ -4,7 +4,7 @@
 // evenly or by what the eye sees. One lane is the plain path tracer — no split, no collapse, no
 // shared choices — and so the oracle of the others.
 //
-// Seen red by hand, each with one line of path/trace.cpp changed: after a collapse the throughput
+// Seen red by hand, each with one line of render/path changed: after a collapse the throughput
 // of the chosen lane for the sum of all (`lane.beta[0] = path.beta[chosen]`): T² 330 in
 // DiamondOnPaper, 6.4e4 in WallSeenThroughAPane, and red in eight of the eleven scenes; the
 // refracted lanes' 1 − r left out at the split: all scenes with smooth glass.

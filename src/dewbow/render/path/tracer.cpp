@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "dewbow/render/path/tracer.h"
+
+namespace dewbow::path_tracing {
+
+namespace {
+
+/// Paths survive roulette with at least this probability.
+constexpr double kLeastSurvival = 0.05;
+
+}  // namespace
+
+Vec3 mirror_normal(const Vertex& vertex) {
+    return dot(reflected(vertex.wo, vertex.shading), vertex.geometric) > 0.0 ? vertex.shading
+                                                                             : vertex.geometric;
+}
+
+Vertex Tracer::vertex_at(const Ray& ray, const Hit& hit) const {
+    Vertex v;
+    v.position = ray.origin + ray.direction * hit.t;
+    v.wo = -ray.direction;
+    v.front = dot(ray.direction, hit.normal) < 0.0;
+    const double side = v.front ? 1.0 : -1.0;
+    v.geometric = hit.normal * side;
+    v.shading = prepared_.accelerator.shading_normal(hit) * side;
+    if (dot(v.shading, v.wo) <= 0.0) v.shading = v.geometric;
+    v.shape = hit.shape;
+    v.primitive = hit.primitive;
+    return v;
+}
+
+/// The normal that a smooth boundary turns rays by: on the side that the ray comes from.
+Vec3 Tracer::facing_normal(Vec3 direction, const Hit& hit, bool front) const {
+    if (prepared_.accelerator.flat(hit.shape)) return front ? hit.normal : -hit.normal;
+    return mirror_normal(vertex_at({{}, direction, {}}, hit));
+}
+
+const Material& Tracer::material_at(const Hit& hit, std::uint32_t vertex, int& id) const {
+    id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
+    const Material* material = &prepared_.scene.materials[std::size_t(id)];
+    while (const auto* mix = std::get_if<Mix>(&material->surface)) {
+        id = key_.two(vertex, Purpose::bsdf_lobe)[1] < mix->second_share ? mix->second : mix->first;
+        material = &prepared_.scene.materials[std::size_t(id)];
+    }
+    return *material;
+}
+
+Boundary Tracer::boundary_at(MediaStack media, bool front, int id) const {
+    Boundary b;
+    // A path that leaves a body which it never entered (an open mesh) was inside after all.
+    b.before = !front && !media.holds(id) ? media.entered(id) : media;
+    b.after = front ? b.before.entered(id) : b.before.left(id);
+    b.none = b.before.interior() == b.after.interior();
+    return b;
+}
+
+void Tracer::indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta) {
+    const auto& before = packet_media_.index(boundary.before.interior());
+    const auto& after = packet_media_.index(boundary.after.interior());
+    for (int k = 0; k < lanes.count; ++k) {
+        const auto id = std::size_t(lanes.id[std::size_t(k)]);
+        eta[k] = after[id] / before[id];
+    }
+}
+
+bool Tracer::dispersive(const LaneValues& eta, int count) {
+    for (int k = 1; k < count; ++k)
+        if (std::abs(eta[k] - eta[0]) > kSameIndex) return true;
+    return false;
+}
+
+void Tracer::absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance) {
+    const auto* sigma = packet_media_.absorption(media.interior());
+    if (!sigma) return;
+    for (int k = 0; k < lanes.count; ++k)
+        beta[k] *= std::exp(-(*sigma)[std::size_t(lanes.id[std::size_t(k)])] * distance);
+}
+
+void Tracer::tint(const SpectrumPtr& tint, const LaneSet& lanes, LaneValues& beta, LaneMask mask) {
+    if (!tint) return;
+    LaneValues factor;
+    tint->eval_lanes(lanes.lambdas(), factor.first(lanes.count));
+    for (int k = 0; k < lanes.count; ++k)
+        if (mask >> k & 1u) beta[k] *= factor[k];
+}
+
+/// Russian roulette on the lanes in `mask`, all together. False: the path ends.
+bool Tracer::roulette(LaneValues& beta, int count, LaneMask mask, int depth,
+                      std::uint32_t vertex) const {
+    if (depth < settings_.roulette_depth || settings_.roulette_depth >= settings_.max_depth)
+        return true;
+    double most = 0.0;
+    for (int k = 0; k < count; ++k)
+        if (mask >> k & 1u) most = std::max(most, beta[k]);
+    if (most >= 1.0) return true;
+    const double survival = std::max(most, kLeastSurvival);
+    if (key_.one(vertex, Purpose::roulette) >= survival) return false;
+    for (int k = 0; k < count; ++k) beta[k] /= survival;
+    return true;
+}
+
+SharedPath Tracer::lane_of(const OpenPath& path, int k) const {
+    const auto i = std::size_t(k);
+    SharedPath lane;
+    lane.ray = path.rays.ray(k);
+    lane.lanes = LaneSet::one(packet_, path.lanes.id[i]);
+    lane.beta[0] = path.beta[k];
+    lane.media = path.media[i];
+    lane.depth = path.depth;
+    lane.branch = path.branch;
+    lane.split = true;
+    lane.from_specular = path.from_specular[i];
+    lane.last_pdf = path.last_pdf[k];
+    lane.last_position = path.last_position[i];
+    return lane;
+}
+
+/// Memory that one thread needs for its packets, kept between samples.
+struct Scratch {
+    std::uint64_t serial = 0;
+    std::optional<PacketMedia> media;
+    RgbLightLanes rgb;
+    std::vector<SharedPath> pending;
+};
+
+}  // namespace dewbow::path_tracing
+
+namespace dewbow {
+
+PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
+                         const WavelengthPacket& wavelengths, const SampleKey& key) {
+    thread_local path_tracing::Scratch scratch;
+    if (scratch.serial != prepared.serial) {
+        scratch.serial = prepared.serial;
+        scratch.media.emplace(prepared.media);
+    }
+    scratch.media->begin(wavelengths);
+    scratch.rgb.begin(wavelengths);
+    return path_tracing::Tracer(prepared, wavelengths, key, media, *scratch.media, scratch.rgb,
+                                scratch.pending)
+        .run(ray, media);
+}
+
+}  // namespace dewbow
