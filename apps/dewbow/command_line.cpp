@@ -52,6 +52,14 @@ std::string alternatives(const std::vector<std::string>& words) {
     return text;
 }
 
+/// "path, the spectral path tracer; …"
+std::string estimators_described() {
+    std::string text;
+    for (const EstimatorRow& row : estimators())
+        text += (text.empty() ? "" : "; ") + row.name + ", " + row.description;
+    return text;
+}
+
 std::vector<std::string> estimator_names() {
     std::vector<std::string> names;
     for (const EstimatorRow& row : estimators()) names.push_back(row.name);
@@ -150,8 +158,8 @@ private:
                              "current folder")
             ->type_name("FILE")
             ->allow_extra_args(false);
-        const auto add = [&](const char* name, std::optional<std::string>& text, const char* what,
-                             const std::string& form) {
+        const auto add = [&](const char* name, std::optional<std::string>& text,
+                             const std::string& what, const std::string& form) {
             text_option(*render_, name, text, what, form);
         };
         add("--size", t.size, "Size of the picture in pixels", "WxH");
@@ -171,7 +179,7 @@ private:
         add("--max-depth", t.max_depth, "Most surfaces that a path meets", "N");
         add("--wavelengths", t.wavelengths, "How wavelengths are spread over 360-830 nm",
             alternatives(kWavelengthNames));
-        add("--estimator", t.estimator, "What computes the picture",
+        add("--estimator", t.estimator, "What computes the picture: " + estimators_described(),
             alternatives(estimator_names()));
         add("--pixel", t.pixel, "With --sample: compute one sample, show it, write nothing", "X,Y");
         add("--sample", t.sample, "The sample's number, from 0", "K");

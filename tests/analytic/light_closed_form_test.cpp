@@ -309,7 +309,7 @@ TEST(LightClosedForm, RouletteLeavesTheMeanAlone) {
 
 /// Two mirrors of black glass: r(λ)² of the light at 45°, wavelength by wavelength. At the second
 /// one all lanes go one way, each weighted by its own reflectance over their mean. (With that
-/// weight left out by hand: z = 45. The mean over all wavelengths hardly sees it.)
+/// weight left out by hand it turns red; the mean over all wavelengths hardly sees it.)
 TEST(LightClosedForm, TwoReflectionsKeepEachWavelengthsShare) {
     Scene scene = empty_scene();
     const MediumPtr flint = glass("schott/N-SF66", make_constant(1e4));

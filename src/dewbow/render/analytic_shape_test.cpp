@@ -24,13 +24,7 @@ Shape shape_of(Geometry geometry, const Affine& place = kAskew) {
 }
 
 /// For rays that start on no other shape.
-template <class Analytic = AnalyticShape>
-Analytic analytic(const Shape& shape) {
-    if constexpr (std::is_constructible_v<Analytic, const Shape&, double>)
-        return Analytic(shape, 0.0);
-    else
-        return Analytic(shape);
-}
+AnalyticShape analytic(const Shape& shape) { return AnalyticShape(shape, 0.0); }
 
 struct Body {
     const char* name;

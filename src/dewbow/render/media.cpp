@@ -31,11 +31,6 @@ bool may_be_body(const Scene& scene, const Material& material) {
            may_be_body(scene, scene.materials[std::size_t(mix->second)]);
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-           b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 bool same_index(const Dispersion& a, const Dispersion& b) {
     std::array<double, kProbe_nm.size()> n_a, n_b;
     a.eval_lanes(kProbe_nm, n_a);
@@ -186,7 +181,7 @@ std::vector<bool> see_through_shapes(const Scene& scene) {
         if (!result[i]) continue;
         const Bounds here = bounds(scene.shapes[i]);
         result[i] = std::none_of(bending.begin(), bending.end(),
-                                 [&](const Bounds& b) { return overlap(here, b); });
+                                 [&](const Bounds& b) { return here.overlaps(b); });
     }
     return result;
 }

@@ -13,11 +13,6 @@ constexpr std::size_t kMostShapes = 2000;
 /// Corners times planes that are looked at for one pair of shapes.
 constexpr std::size_t kMostTests = 4'000'000;
 
-bool disjoint(const Bounds& a, const Bounds& b) {
-    return a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
-           a.low.z > b.high.z || b.low.z > a.high.z;
-}
-
 std::array<Vec3, 8> corners_of(const Bounds& b) {
     std::array<Vec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i)
@@ -65,7 +60,7 @@ std::vector<bool> find_undisturbed(const Scene& scene,
     const auto passes_by = [&](std::size_t body, std::size_t other) {
         const Shape& shape = scene.shapes[other];
         if (std::holds_alternative<Plane>(shape.geometry)) return plane_misses(shape, bounds[body]);
-        if (disjoint(bounds[body], bounds[other])) return true;
+        if (!bounds[body].overlaps(bounds[other])) return true;
         const ConvexSolid* solid = solids[body];
         if (!solid) return false;
         if (separated(*solid, corners_of(bounds[other]))) return true;

@@ -56,6 +56,11 @@ struct Bounds {
     Vec3 centre() const { return (low + high) * 0.5; }
     double radius() const { return empty() ? 0.0 : 0.5 * length(high - low); }
     void add(Vec3 p);
+    /// Whether the two have a point in common, if only on their faces.
+    bool overlaps(const Bounds& b) const {
+        return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
+               low.z <= b.high.z && b.low.z <= high.z;
+    }
 };
 
 /// Bounds of all shapes but infinite planes, in the world frame.
