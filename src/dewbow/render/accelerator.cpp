@@ -62,7 +62,8 @@ struct Query {
     /// precision is that of the distance.
     std::array<double, kMaxLanes> start;
     double scale;
-    bool back = false;  ///< looks for the way out that a ray had at its very start
+    bool back = false;     ///< looks for the way out that a ray had at its very start
+    bool way_out = false;  ///< looks for ways out of the body that the ray is in, and nothing else
 };
 /// Whether the vertex normals, if any, say no more than the triangles themselves.
 bool normals_are_flat(const Mesh& mesh, const WorldMesh& world) {
@@ -151,6 +152,7 @@ void Accelerator::Tree::filter(const RTCFilterFunctionNArguments* args) {
         } else if (query.back) {
             accept = false;
         }
+        if (query.way_out) accept = accept && same_shape && slope > 0.0;
         if (kOccluded) accept = accept && !mesh.see_through;
         if (!accept)
             args->valid[i] = 0;
@@ -164,7 +166,7 @@ void Accelerator::Tree::meet_analytic(RTCIntersectContext* context, unsigned pri
                                       const int* valid, RTCRayN* ray, RTCHitN* hit,
                                       unsigned geometry) const {
     Query& query = query_of(context);
-    if (query.back) return;
+    if (query.back || query.way_out) return;
     const AnalyticShape& shape = analytic[primitive];
     const int index = analytic_shape[primitive];
     if (kOccluded && see_through[std::size_t(index)]) return;
@@ -476,6 +478,13 @@ void Accelerator::Tree::look_back(const RayLanes& rays, int k, Hit& hit) const {
     single.ray.org_y += float(inward.y);
     single.ray.org_z += float(inward.z);
     rtcIntersect1(scene, &query.context, &single);
+    if (single.hit.geomID == RTC_INVALID_GEOMETRY_ID && hit) {
+        // What was hit may be what the body stands on, met at the very distance of the way out.
+        query = make_query(rays, hit.t + kSamePlane * scale, scale, false);
+        query.way_out = true;
+        single = load_ray_hit(query, k, hit.t + kHeadStart * scale);
+        rtcIntersect1(scene, &query.context, &single);
+    }
     if (single.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     hit.shape = int(single.hit.geomID);
     hit.primitive = int(single.hit.primID);
