@@ -565,6 +565,13 @@ bool Accelerator::occluded(const Ray& ray, double distance) const {
     rays.count = 1;
     rays.set(0, ray);
     const double limit = distance * kBeforeLight;
+    const SurfaceFrom& from = ray.from;
+    const bool in_body = from.inward && !tree.see_through[std::size_t(from.shape)];
+    if (in_body && tree.undisturbed[std::size_t(from.shape)]) {
+        Hit hit;
+        tree.leave_undisturbed(rays, 1u, std::span(&hit, 1));
+        return hit.t < limit;
+    }
     for (std::size_t i = 0; i < tree.planes.size(); ++i) {
         double t = 0.0;
         int face = 0;
@@ -579,7 +586,13 @@ bool Accelerator::occluded(const Ray& ray, double distance) const {
     if (query.start[0] >= limit) return false;
     RTCRay single = load_ray(query, 0, limit);
     rtcOccluded1(tree.scene, &query.context, &single);
-    return single.tfar < 0.0f;
+    if (single.tfar < 0.0f) return true;
+    if (!in_body || tree.mesh_of_shape[std::size_t(from.shape)] < 0) return false;
+    // Out of a mesh without meeting it? Only if the slower query agrees, which looks beside edges
+    // too.
+    Hit hit;
+    tree.intersect(rays, 1u, std::span(&hit, 1));
+    return hit.shape == from.shape && hit.t < limit;
 }
 
 Vec3 Accelerator::shading_normal(const Hit& hit) const {
