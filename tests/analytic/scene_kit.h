@@ -181,7 +181,7 @@ inline std::shared_ptr<const Mesh> read_obj(const std::string& path) {
 
 /// The round brilliant of examples/.
 inline std::shared_ptr<const Mesh> brilliant() {
-    return read_obj(std::string(DEWBOW_SOURCE_DIR) + "/examples/brilliant.obj");
+    return read_obj(DEWBOW_SOURCE_DIR "/examples/brilliant.obj");
 }
 
 // ---- samples -----------------------------------------------------------------------------------

@@ -137,10 +137,13 @@ std::vector<Surface> surfaces() {
 
 TEST(Samplers, OpaqueSurfaces) {
     const LaneSet lanes = LaneSet::all(one_wavelength(550.0));
+    const SurfaceCoordinates nowhere;
+    RgbReflectanceLanes rgb;
+    const SurfaceInputs inputs(nowhere, rgb);
     for (const Surface& row : surfaces())
         for (const double cosine : {0.95, 0.2}) {
             SCOPED_TRACE(::testing::Message() << row.name << " " << cosine);
-            const OpaqueSurface surface(row.material, lanes, tilted(cosine));
+            const OpaqueSurface surface(row.material, inputs, lanes, tilted(cosine));
             expect_good(
                 [&](const SampleKey& key) {
                     return surface.sample(test_numbers(key, 0)[0], test_numbers(key, 1));
@@ -157,6 +160,9 @@ TEST(Samplers, OpaqueSurfaces) {
 TEST(Samplers, OpaqueSurfacesAreReciprocalAndKeepEnergy) {
     constexpr double kRounding = 1e-10;
     const LaneSet lanes = LaneSet::all(one_wavelength(550.0));
+    const SurfaceCoordinates nowhere;
+    RgbReflectanceLanes rgb;
+    const SurfaceInputs inputs(nowhere, rgb);
     for (const Surface& row : surfaces()) {
         SCOPED_TRACE(row.name);
         for (std::size_t i = 0; i < 10000; ++i) {
@@ -165,13 +171,13 @@ TEST(Samplers, OpaqueSurfacesAreReciprocalAndKeepEnergy) {
             const Vec3 x = sample_cosine_hemisphere(a[0], a[1]).v,
                        y = sample_cosine_hemisphere(b[0], b[1]).v;
             LaneValues xy, yx;
-            OpaqueSurface(row.material, lanes, x).eval(y, xy);
-            OpaqueSurface(row.material, lanes, y).eval(x, yx);
+            OpaqueSurface(row.material, inputs, lanes, x).eval(y, xy);
+            OpaqueSurface(row.material, inputs, lanes, y).eval(x, yx);
             const double there = xy[0] / y.z, back = yx[0] / x.z;
             ASSERT_NEAR(there / back, 1.0, kRounding);
         }
         for (const double cosine : {1.0, 0.5, 0.05}) {
-            const OpaqueSurface surface(row.material, lanes, tilted(cosine));
+            const OpaqueSurface surface(row.material, inputs, lanes, tilted(cosine));
             MeanSums albedo;
             for (std::size_t i = 0; i < 100000; ++i) {
                 const SampleKey key = independent_key(32, i);

@@ -47,11 +47,12 @@ bool brings_light(const Scene& scene) {
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& material = scene.materials[i];
-        if (material.emission) return true;
+        if (material.gives_light()) return true;
         something_rough |= std::holds_alternative<Diffuse>(material.surface) ||
+                           std::holds_alternative<Conductor>(material.surface) ||
                            std::holds_alternative<MetallicRoughness>(material.surface);
         if (const auto* glass = std::get_if<Dielectric>(&material.surface))
-            something_rough |= glass->roughness > 0.0;
+            something_rough |= glass->roughness.value > 0.0;
     }
     // Smooth glass and mirrors alone show nothing of a light that has no extent.
     return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {

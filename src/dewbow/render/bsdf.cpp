@@ -28,16 +28,18 @@ bool OpaqueSurface::holds(const Material& material) {
            std::holds_alternative<MetallicRoughness>(material.surface);
 }
 
-OpaqueSurface::OpaqueSurface(const Material& material, const LaneSet& lanes, Vec3 wo)
+OpaqueSurface::OpaqueSurface(const Material& material, const SurfaceInputs& inputs,
+                             const LaneSet& lanes, Vec3 wo)
     : count_(lanes.count), wo_(wo) {
     if (const auto* diffuse = std::get_if<Diffuse>(&material.surface)) {
-        diffuse->reflectance->eval_lanes(lanes.lambdas(), base_.first(count_));
+        inputs.colour(diffuse->reflectance, lanes, base_);
         return;
     }
     const auto& m = std::get<MetallicRoughness>(material.surface);
-    m.base_colour->eval_lanes(lanes.lambdas(), base_.first(count_));
-    metalness_ = m.metalness;
-    alpha_ = std::max(kLeastAlpha, m.roughness * m.roughness);
+    inputs.colour(m.base_colour, lanes, base_);
+    metalness_ = inputs.number(m.metalness);
+    const double roughness = inputs.number(m.roughness);
+    alpha_ = std::max(kLeastAlpha, roughness * roughness);
     f0_ = (m.ior - 1.0) * (m.ior - 1.0) / ((m.ior + 1.0) * (m.ior + 1.0));
     double base = 0.0;
     for (int k = 0; k < count_; ++k) base += base_[k] / count_;

@@ -8,6 +8,7 @@
 
 #include "dewbow/render/lanes.h"
 #include "dewbow/render/microfacet.h"
+#include "dewbow/render/surface_inputs.h"
 #include "dewbow/scene/material.h"
 
 namespace dewbow {
@@ -29,7 +30,8 @@ struct LocalFrame {
 class OpaqueSurface {
 public:
     static bool holds(const Material& material);
-    OpaqueSurface(const Material& material, const LaneSet& lanes, Vec3 wo);
+    OpaqueSurface(const Material& material, const SurfaceInputs& inputs, const LaneSet& lanes,
+                  Vec3 wo);
 
     /// BSDF × cos θ_i of each lane into `f`; returns the density of sample() for `wi`.
     double eval(Vec3 wi, LaneValues& f) const;

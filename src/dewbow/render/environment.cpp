@@ -13,20 +13,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-enum Basis { white, cyan, magenta, yellow, red, green, blue };
-
-const std::array<SpectrumPtr, 7>& basis_spectra() {
-    static const std::array<SpectrumPtr, 7> spectra = [] {
-        constexpr std::array<std::array<double, 3>, 7> colours{
-            {{1, 1, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-        std::array<SpectrumPtr, 7> result;
-        for (std::size_t i = 0; i < 7; ++i)
-            result[i] = make_emission(Colour<LinearSrgb>{colours[i]});
-        return result;
-    }();
-    return spectra;
-}
-
 double luminance(Colour<LinearSrgb> rgb) { return xyz_from_rgb(rgb)[1]; }
 
 double row_theta(int row, int height) { return kPi * (row + 0.5) / height; }
@@ -54,29 +40,6 @@ std::vector<double> sampling_weights(const ImageEnvironment& image) {
 }
 
 }  // namespace
-
-void RgbLightLanes::eval(Colour<LinearSrgb> rgb, const LaneSet& lanes, LaneValues& out) {
-    if (!ready_) {
-        for (std::size_t i = 0; i < 7; ++i)
-            basis_spectra()[i]->eval_lanes(packet_->lambdas(), basis_[i].first(packet_->count));
-        ready_ = true;
-    }
-    // The least channel is white; of the rest, the lesser two make a secondary colour; what is left
-    // over is a primary.
-    constexpr std::array<int, 3> secondary_without{cyan, magenta, yellow};
-    constexpr std::array<int, 3> primary{red, green, blue};
-    const std::array<double, 3>& c = rgb.v;
-    const std::size_t least = std::size_t(std::min_element(c.begin(), c.end()) - c.begin());
-    const std::size_t most = std::size_t(std::max_element(c.begin(), c.end()) - c.begin());
-    const std::size_t middle = least == most ? least : 3 - least - most;
-    const LaneValues& a = basis_[white];
-    const LaneValues& b = basis_[std::size_t(secondary_without[least])];
-    const LaneValues& p = basis_[std::size_t(primary[most])];
-    for (int k = 0; k < lanes.count; ++k) {
-        const int id = lanes.id[std::size_t(k)];
-        out[k] = c[least] * a[id] + (c[middle] - c[least]) * b[id] + (c[most] - c[middle]) * p[id];
-    }
-}
 
 EnvironmentMap::EnvironmentMap(std::shared_ptr<const ImageEnvironment> image)
     : image_(std::move(image)),

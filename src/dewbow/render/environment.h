@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Light from a picture of the surroundings: radiance by direction, spectra from its RGB, and
-// sampling in proportion to its brightness.
+// Light from a picture of the surroundings: radiance by direction, and sampling in proportion to
+// its brightness.
 
 #include "dewbow/math/distribution.h"
-#include "dewbow/render/lanes.h"
 #include "dewbow/scene/light.h"
 
 namespace dewbow {
-
-/// Seven smooth emission spectra — white, cyan, magenta, yellow, red, green, blue — of which every
-/// colour of light is a mixture of at most three with weights >= 0; the mixture's XYZ is exactly
-/// the colour's. [after Smits, "An RGB to Spectrum Conversion for Reflectances", 1999]
-class RgbLightLanes {
-public:
-    /// Forgets everything: a new packet begins.
-    void begin(const WavelengthPacket& packet) { packet_ = &packet, ready_ = false; }
-    /// Spectral radiance of `rgb` (no negative channel) at each lane.
-    void eval(Colour<LinearSrgb> rgb, const LaneSet& lanes, LaneValues& out);
-
-private:
-    const WavelengthPacket* packet_ = nullptr;
-    bool ready_ = false;
-    std::array<LaneValues, 7> basis_;
-};
 
 class EnvironmentMap {
 public:

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "dewbow/render/rgb_lanes.h"
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/rgb.h"
 

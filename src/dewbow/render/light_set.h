@@ -8,6 +8,7 @@
 #include "dewbow/math/distribution.h"
 #include "dewbow/render/environment.h"
 #include "dewbow/render/ray.h"
+#include "dewbow/render/rgb_lanes.h"
 #include "dewbow/scene/scene.h"
 
 namespace dewbow {

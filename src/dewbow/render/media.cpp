@@ -172,7 +172,7 @@ std::vector<bool> see_through_shapes(const Scene& scene) {
     for (const Shape& shape : scene.shapes) {
         const Material& material = scene.materials[std::size_t(shape.material)];
         const Dielectric* d = dielectric_of(material);
-        result.push_back(d && !material.emission && !d->tint && !d->interior->absorption &&
+        result.push_back(d && !material.gives_light() && !d->tint && !d->interior->absorption &&
                          !scene.surroundings->absorption &&
                          same_index(*d->interior->index, *scene.surroundings->index));
         if (!result.back() && may_be_body(scene, material)) bending.push_back(bounds(shape));

@@ -55,6 +55,34 @@ void check_share(const std::string& who, const char* what, const SpectrumPtr& sp
     check_spectrum(who, what, spectrum, 1.0 + kRounding);
 }
 
+void check_share(const std::string& who, const char* what, const ColourInput& input) {
+    if (input.texture) check_texture(who, what, input.texture);
+    if (!input.varies() && input.spectrum) check_share(who, what, input.spectrum);
+    for (const double channel : input.factor.v) check_range(who, what, channel, 0.0, 1.0);
+}
+
+void check_share(const std::string& who, const char* what, const NumberInput& input) {
+    check_range(who, what, input.value, 0.0, 1.0);
+    if (!input.texture) return;
+    check_texture(who, what, input.texture);
+    check_range(who, "the channel of its texture", input.channel, 0, 3);
+}
+
+void check_texture(const std::string& who, const char* what, const TexturePtr& texture) {
+    if (!texture || !texture->image) fail(who, fmt::format("the texture of {} is missing", what));
+    const TextureImage& image = *texture->image;
+    const std::size_t values = image.bits == 8 ? image.texels8.size() : image.texels16.size();
+    if (image.width < 1 || image.height < 1 ||
+        values != 4 * std::size_t(image.width) * std::size_t(image.height))
+        fail(who, fmt::format("the texture of {} has {} values for {} x {} texels", what, values,
+                              image.width, image.height));
+    check_range(who, "the set of its texture coordinates", texture->texcoord_set, 0, 1);
+    for (const auto& row : texture->transform)
+        for (const double value : row)
+            if (!std::isfinite(value))
+                fail(who, fmt::format("the transform of the texture of {} is not finite", what));
+}
+
 void check_medium(const std::string& who, const MediumPtr& medium) {
     if (!medium) fail(who, "its medium is missing");
     if (!medium->index) fail(who, "its medium has no index of refraction");

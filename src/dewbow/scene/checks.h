@@ -26,6 +26,11 @@ void check_spectrum(const std::string& who, const char* what, const SpectrumPtr&
                     double high = kInfinity);
 /// A spectrum between 0 and 1.
 void check_share(const std::string& who, const char* what, const SpectrumPtr& spectrum);
+/// Between 0 and 1 wherever it is looked up; an empty input is.
+void check_share(const std::string& who, const char* what, const ColourInput& input);
+void check_share(const std::string& who, const char* what, const NumberInput& input);
+/// A texture whose picture has as many texels as it states, and whose numbers are in range.
+void check_texture(const std::string& who, const char* what, const TexturePtr& texture);
 void check_medium(const std::string& who, const MediumPtr& medium);
 void check_finite(const std::string& who, const char* what, Vec3 v);
 void check_unit(const std::string& who, const char* what, Vec3 v);

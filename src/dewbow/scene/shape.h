@@ -22,6 +22,12 @@ struct Mesh {
     /// One a vertex, or empty: flat facets. Not necessarily unit length.
     std::vector<Normal<Object>> normals;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+
+    // For textures and normal maps: one a vertex, or empty.
+    std::array<std::vector<std::array<float, 2>>, 2> texcoords;  ///< v grows downwards
+    std::vector<std::array<float, 4>> colours;                   ///< linear sRGB and alpha
+    /// Along growing u, in .xyz; .w = ±1: the bitangent is w (normal × tangent).
+    std::vector<std::array<float, 4>> tangents;
 };
 
 /// Around the origin.

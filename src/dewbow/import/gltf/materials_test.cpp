@@ -49,7 +49,7 @@ TEST(GltfMaterials, DefaultsAreTheSpecifications) {
     EXPECT_EQ(surface.metalness, 1.0);
     EXPECT_EQ(surface.roughness, 1.0);
     EXPECT_EQ(surface.ior, 1.5);
-    EXPECT_NEAR((*surface.base_colour)(550.0 * unit::nm), 1.0, 1e-3);
+    EXPECT_NEAR((*surface.base_colour.spectrum)(550.0 * unit::nm), 1.0, 1e-3);
     EXPECT_EQ(only(parsed).emission, nullptr);
     EXPECT_TRUE(parsed.diagnostics.empty());
 }
@@ -64,7 +64,7 @@ TEST(GltfMaterials, VolumeWithThicknessIsADielectricBody) {
     const auto parsed = with_material(glass(
         R"("KHR_materials_ior": {"ior": 2.42}, "KHR_materials_volume": {"thicknessFactor": 0.1})"));
     const auto& surface = surface_of<Dielectric>(parsed);
-    EXPECT_EQ(surface.tint, nullptr);
+    EXPECT_FALSE(surface.tint);
     EXPECT_EQ(surface.interior->absorption, nullptr);
     for (const double nm : kNm) {
         EXPECT_NEAR(index_at(surface.interior->index, nm), 2.42 * index_at(air(), nm),
@@ -129,7 +129,7 @@ TEST(GltfMaterials, BaseColourTintsGlass) {
                           "KHR_materials_volume": {"thicknessFactor": 1}})");
     const auto& surface = surface_of<Dielectric>(parsed);
     EXPECT_EQ(surface.roughness, 0.25);
-    EXPECT_NEAR((*surface.tint)(450.0 * unit::nm), 0.85, 1e-6);
+    EXPECT_NEAR((*surface.tint.spectrum)(450.0 * unit::nm), 0.85, 1e-6);
 }
 
 TEST(GltfMaterials, PartlyTransmittingIsAMixOfGlassAndTheRest) {
@@ -137,11 +137,11 @@ TEST(GltfMaterials, PartlyTransmittingIsAMixOfGlassAndTheRest) {
         R"("pbrMetallicRoughness": {"metallicFactor": 0.2, "roughnessFactor": 0},
            "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5}})");
     const auto& mix = surface_of<Mix>(parsed);
-    EXPECT_NEAR(mix.second_share, 0.4, 1e-12);
+    EXPECT_NEAR(mix.second_share.value, 0.4, 1e-12);
     const auto& materials = parsed.scene.materials;
     const auto& rest = std::get<MetallicRoughness>(materials[std::size_t(mix.first)].surface);
     // The metal's share of the whole stays what it was.
-    EXPECT_NEAR(rest.metalness * (1.0 - mix.second_share), 0.2, 1e-12);
+    EXPECT_NEAR(rest.metalness.value * (1.0 - mix.second_share.value), 0.2, 1e-12);
     EXPECT_TRUE(std::holds_alternative<ThinDielectric>(materials[std::size_t(mix.second)].surface));
     EXPECT_EQ(materials.size(), 3u);
 }
@@ -157,7 +157,7 @@ TEST(GltfMaterials, IndexZeroReflectsAll) {
         R"("KHR_materials_ior": {"ior": 0}, "KHR_materials_volume": {"thicknessFactor": 1})"));
     const auto& surface = surface_of<MetallicRoughness>(parsed);
     EXPECT_EQ(surface.metalness, 1.0);
-    EXPECT_EQ((*surface.base_colour)(550.0 * unit::nm), 1.0);
+    EXPECT_EQ((*surface.base_colour.spectrum)(550.0 * unit::nm), 1.0);
 }
 
 TEST(GltfMaterials, OneNitHasALuminanceOfOne) {

@@ -53,8 +53,8 @@ Surface read_thin_glass(Table& table, const MaterialContext&) {
 Surface read_metallic_roughness(Table& table, const MaterialContext&) {
     MetallicRoughness surface;
     surface.base_colour = required_share(table, "base_colour");
-    surface.metalness = table.number("metalness", kShareRange, surface.metalness);
-    surface.roughness = table.number("roughness", kShareRange, surface.roughness);
+    surface.metalness = table.number("metalness", kShareRange, surface.metalness.value);
+    surface.roughness = table.number("roughness", kShareRange, surface.roughness.value);
     surface.ior = table.number("ior", kSurfaceIndexRange, surface.ior);
     return surface;
 }
@@ -63,7 +63,7 @@ Surface read_mix(Table& table, const MaterialContext& context) {
     Mix mix;
     mix.first = context.names.read(table.document(), table.require("first"), "first");
     mix.second = context.names.read(table.document(), table.require("second"), "second");
-    mix.second_share = table.number("second_share", kShareRange, mix.second_share);
+    mix.second_share = table.number("second_share", kShareRange, mix.second_share.value);
     return mix;
 }
 

@@ -109,13 +109,15 @@ TEST(SceneToml, ABoxFilterIsOnePixelWide) {
 }
 
 TEST(SceneTomlMaterials, EachType) {
-    EXPECT_EQ(at(surface<Diffuse>("type = \"diffuse\"\nreflectance = 0.3").reflectance, 500), 0.3);
-    EXPECT_EQ(at(surface<Mirror>("type = \"mirror\"").reflectance, 500), 1.0);
+    EXPECT_EQ(
+        at(surface<Diffuse>("type = \"diffuse\"\nreflectance = 0.3").reflectance.spectrum, 500),
+        0.3);
+    EXPECT_EQ(at(surface<Mirror>("type = \"mirror\"").reflectance.spectrum, 500), 1.0);
     material("type = \"black\"");
     const auto thin =
         surface<ThinDielectric>("type = \"thin-glass\"\nglass = \"water\"\ntint = [0.5, 0.5, 0.5]");
     EXPECT_NEAR(index_at(thin.index, 589.3), 1.3334, 5e-4);
-    EXPECT_NEAR(at(thin.tint, 500), 0.5, 1e-6);
+    EXPECT_NEAR(at(thin.tint.spectrum, 500), 0.5, 1e-6);
     const auto metal = surface<MetallicRoughness>(
         "type = \"metallic-roughness\"\nbase_colour = 0.9\nmetalness = 0.25\nroughness = "
         "0.125\nior = 1.4");

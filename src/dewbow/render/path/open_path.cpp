@@ -75,7 +75,8 @@ void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits) {
                                            vertex_key(path.depth, path.branch), id);
     const int medium = prepared_.media.interior_of(id);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface)) {
-        if (glass->roughness > 0.0)
+        const auto first = std::size_t(std::countr_zero(group));
+        if (is_rough(*glass, vertex_at(path.rays.ray(int(first)), hits[first])))
             open_rough(path, group, hits, *glass, medium);
         else
             open_smooth(path, group, hits, *glass, medium);
@@ -108,6 +109,7 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
             if (group >> k & 1u) pass(path, k, hits[std::size_t(k)], boundary);
         return;
     }
+    const RayLanes arriving = path.rays;
     BoundaryLanes lanes;
     indices(path.lanes, boundary, lanes.eta);
     std::array<Vec3, kMaxLanes> position;
@@ -134,7 +136,7 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
                           {hits[i].shape, hits[i].primitive, front != reflects}});
         path.from_specular[i] = true;
     }
-    if (glass.tint) tint(glass.tint, path.lanes, path.beta, refracted);
+    tint_open(glass.tint, path, refracted, arriving, hits);
 }
 
 /// Each lane at a rough boundary, by one microfacet for all of them.
@@ -143,7 +145,7 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
     const auto first = std::size_t(std::countr_zero(group));
     const bool front = dot(path.rays.direction(int(first)), hits[first].normal) < 0.0;
     const Boundary boundary = boundary_at(path.media[first], front, id);
-    const double alpha = std::max(kLeastAlpha, glass.roughness * glass.roughness);
+    const RayLanes arriving = path.rays;
     LaneValues eta;
     indices(path.lanes, boundary, eta);
     const std::uint32_t at = vertex_key(path.depth, path.branch);
@@ -162,6 +164,8 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
         SharedPath lane = lane_of(path, k);
         LaneValues lane_eta;
         lane_eta[0] = eta[k];
+        const double roughness = inputs_at(vertex).number(glass.roughness);
+        const double alpha = std::max(kLeastAlpha, roughness * roughness);
         direct_rough(lane, vertex, alpha, boundary, lane_eta);
         const LocalFrame frame(vertex.shading);
         const Vec3 wo = frame.to_local(vertex.wo);
@@ -191,7 +195,7 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
         path.active |= 1u << k;
         refracted |= LaneMask(!reflects) << k;
     }
-    if (glass.tint) tint(glass.tint, path.lanes, path.beta, refracted);
+    tint_open(glass.tint, path, refracted, arriving, hits);
 }
 
 /// Mirrors and panes: rare among opened lanes.

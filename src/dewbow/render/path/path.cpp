@@ -18,9 +18,9 @@ std::uint64_t next_serial() {
 Colour<Xyz> albedo_of(const Material& material) {
     const Spectrum* spectrum = nullptr;
     if (const auto* diffuse = std::get_if<Diffuse>(&material.surface))
-        spectrum = diffuse->reflectance.get();
+        spectrum = diffuse->reflectance.spectrum.get();
     else if (const auto* metallic = std::get_if<MetallicRoughness>(&material.surface))
-        spectrum = metallic->base_colour.get();
+        spectrum = metallic->base_colour.spectrum.get();
     else if (std::holds_alternative<Black>(material.surface))
         return {};
     const Colour<Xyz> white = xyz_from_spectrum(*make_constant(1.0));

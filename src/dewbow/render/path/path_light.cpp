@@ -37,7 +37,7 @@ void Tracer::add_infinite(const LaneSet& lanes, const LaneValues& beta, Vec3 dir
     const LightSet& lights = prepared_.lights;
     LaneValues radiance;
     for (int i = 0; i < lights.infinite_count(); ++i) {
-        if (!lights.infinite_radiance(i, direction, lanes, rgb_, radiance)) continue;
+        if (!lights.infinite_radiance(i, direction, lanes, rgb_.light, radiance)) continue;
         const double weight =
             specular ? 1.0 : power_heuristic(pdf, lights.pdf_of_infinite(i, direction));
         add(lanes, beta, radiance, weight, media);
@@ -73,7 +73,7 @@ void Tracer::direct_light(const SharedPath& path, const Vertex& vertex, bool bot
     if (!(pdf > 0.0)) return;
     if (prepared_.accelerator.occluded(vertex.leave(light->direction), light->distance)) return;
     LaneValues radiance;
-    prepared_.lights.radiance(*light, path.lanes, rgb_, radiance);
+    prepared_.lights.radiance(*light, path.lanes, rgb_.light, radiance);
     for (int k = 0; k < path.lanes.count; ++k) radiance[k] *= f[k];
     // What is infinitely far is not absorbed, as where a path misses everything.
     if (std::isfinite(light->distance)) absorb(path.lanes, radiance, path.media, light->distance);
@@ -83,7 +83,7 @@ void Tracer::direct_light(const SharedPath& path, const Vertex& vertex, bool bot
 
 void Tracer::direct_opaque(const SharedPath& path, const Vertex& vertex, const Material& material) {
     const LocalFrame frame(vertex.shading);
-    const OpaqueSurface surface(material, path.lanes, frame.to_local(vertex.wo));
+    const OpaqueSurface surface(material, inputs_at(vertex), path.lanes, frame.to_local(vertex.wo));
     direct_light(path, vertex, false, [&](Vec3 direction, LaneValues& f) {
         return surface.eval(frame.to_local(direction), f);
     });

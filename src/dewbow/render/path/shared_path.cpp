@@ -77,7 +77,7 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
         result_.albedo = prepared_.albedo[std::size_t(id)];
     }
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
-        return glass->roughness > 0.0
+        return is_rough(*glass, vertex)
                    ? rough(path, hit, *glass, prepared_.media.interior_of(id))
                    : smooth(path, vertex, *glass, prepared_.media.interior_of(id));
     if (const auto* m = std::get_if<Mirror>(&material.surface)) return mirror(path, vertex, *m);
@@ -92,7 +92,7 @@ bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& mat
     if (take_direct) direct_opaque(path, vertex, material);
     const std::uint32_t at = vertex_key(path.depth, path.branch);
     const LocalFrame frame(vertex.shading);
-    const OpaqueSurface surface(material, path.lanes, frame.to_local(vertex.wo));
+    const OpaqueSurface surface(material, inputs_at(vertex), path.lanes, frame.to_local(vertex.wo));
     const std::optional<Vec3> wi =
         surface.sample(key_.one(at, Purpose::bsdf_lobe), key_.two(at, Purpose::bsdf_direction));
     if (!wi) return false;
@@ -111,7 +111,7 @@ bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& mat
 }
 
 bool Tracer::mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror) {
-    tint(mirror.reflectance, path.lanes, path.beta, ~0u);
+    tint(mirror.reflectance, vertex, path.lanes, path.beta);
     path.ray = vertex.leave(normalised(reflected(vertex.wo, mirror_normal(vertex))));
     path.from_specular = true;
     ++path.depth;
@@ -131,7 +131,7 @@ bool Tracer::thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& 
     const bool reflects = key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe) < mean;
     for (int k = 0; k < path.lanes.count; ++k)
         path.beta[k] *= reflects ? r[k] / mean : (1.0 - r[k]) / (1.0 - mean);
-    if (!reflects) tint(pane.tint, path.lanes, path.beta, ~0u);
+    if (!reflects) tint(pane.tint, vertex, path.lanes, path.beta);
     const Vec3 direction =
         reflects ? normalised(reflected(vertex.wo, mirror_normal(vertex))) : -vertex.wo;
     path.ray = vertex.leave(direction);
@@ -177,7 +177,7 @@ bool Tracer::smooth(SharedPath& path, const Vertex& vertex, const Dielectric& gl
         ++path.depth;
         return true;
     }
-    tint(glass.tint, path.lanes, path.beta, ~0u);
+    tint(glass.tint, vertex, path.lanes, path.beta);
     if (spreads) {
         open_transmitted(path, vertex, path.beta, boundary, eta, normal);
         return false;
@@ -201,7 +201,7 @@ void Tracer::split_shared(SharedPath& path, const Vertex& vertex, const Dielectr
         refracted_beta[k] = path.beta[k] * (1.0 - r);
         path.beta[k] *= r;
     }
-    tint(glass.tint, path.lanes, refracted_beta, ~0u);
+    tint(glass.tint, vertex, path.lanes, refracted_beta);
     open_transmitted(path, vertex, refracted_beta, boundary, eta, normal);
     path.media = boundary.before;
     path.ray = vertex.leave(normalised(reflected(vertex.wo, normal)));

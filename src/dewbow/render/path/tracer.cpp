@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -43,7 +44,8 @@ const Material& Tracer::material_at(const Hit& hit, std::uint32_t vertex, int& i
     id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
     const Material* material = &prepared_.scene.materials[std::size_t(id)];
     while (const auto* mix = std::get_if<Mix>(&material->surface)) {
-        id = key_.two(vertex, Purpose::bsdf_lobe)[1] < mix->second_share ? mix->second : mix->first;
+        id = key_.two(vertex, Purpose::bsdf_lobe)[1] < mix->second_share.value ? mix->second
+                                                                               : mix->first;
         material = &prepared_.scene.materials[std::size_t(id)];
     }
     return *material;
@@ -80,12 +82,36 @@ void Tracer::absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, do
         beta[k] *= std::exp(-(*sigma)[std::size_t(lanes.id[std::size_t(k)])] * distance);
 }
 
-void Tracer::tint(const SpectrumPtr& tint, const LaneSet& lanes, LaneValues& beta, LaneMask mask) {
+void Tracer::tint(const ColourInput& tint, const Vertex& vertex, const LaneSet& lanes,
+                  LaneValues& beta) {
     if (!tint) return;
     LaneValues factor;
-    tint->eval_lanes(lanes.lambdas(), factor.first(lanes.count));
-    for (int k = 0; k < lanes.count; ++k)
-        if (mask >> k & 1u) beta[k] *= factor[k];
+    inputs_at(vertex).colour(tint, lanes, factor);
+    for (int k = 0; k < lanes.count; ++k) beta[k] *= factor[k];
+}
+
+/// The lanes of `mask`, each where it met the surface: it arrived along its ray of `arriving`.
+void Tracer::tint_open(const ColourInput& tint, OpenPath& path, LaneMask mask,
+                       const RayLanes& arriving, const HitLanes& hits) {
+    if (!tint) return;
+    LaneValues factor;
+    if (!tint.varies()) inputs_at({}).colour(tint, path.lanes, factor);
+    for (LaneMask rest = mask; rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
+        if (tint.varies()) {
+            const LaneSet lane = LaneSet::one(packet_, path.lanes.id[std::size_t(k)]);
+            LaneValues value;
+            inputs_at(vertex_at(arriving.ray(k), hits[std::size_t(k)])).colour(tint, lane, value);
+            factor[k] = value[0];
+        }
+        path.beta[k] *= factor[k];
+    }
+}
+
+/// A texture may leave a part of a rough surface smooth, and so within the precision of
+/// microfacets.
+bool Tracer::is_rough(const Dielectric& glass, const Vertex& vertex) {
+    return inputs_at(vertex).number(glass.roughness) > 0.0;
 }
 
 /// Russian roulette on the lanes in `mask`, all together. False: the path ends.
@@ -123,7 +149,7 @@ SharedPath Tracer::lane_of(const OpenPath& path, int k) const {
 struct Scratch {
     std::uint64_t serial = 0;
     std::optional<PacketMedia> media;
-    RgbLightLanes rgb;
+    RgbLanesOfPath rgb;
     std::vector<SharedPath> pending;
 };
 
@@ -139,7 +165,8 @@ PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaSta
         scratch.media.emplace(prepared.media);
     }
     scratch.media->begin(wavelengths);
-    scratch.rgb.begin(wavelengths);
+    scratch.rgb.light.begin(wavelengths);
+    scratch.rgb.reflectance.begin(wavelengths);
     return path_tracing::Tracer(prepared, wavelengths, key, media, *scratch.media, scratch.rgb,
                                 scratch.pending)
         .run(ray, media);

@@ -26,6 +26,7 @@
 
 #include "dewbow/base/random.h"
 #include "dewbow/render/path/path.h"
+#include "dewbow/render/surface_inputs.h"
 
 namespace dewbow::path_tracing {
 
@@ -71,6 +72,7 @@ struct Vertex {
     Vec3 shading;
     bool front = true;  ///< met from outside
     int shape = -1, primitive = -1;
+    SurfaceCoordinates at;  ///< for textures; set where the material has any
 
     /// A ray that leaves along `direction`.
     Ray leave(Vec3 direction) const {
@@ -78,6 +80,12 @@ struct Vertex {
         const bool outward = front ? side > 0.0 : side < 0.0;
         return {position, direction, {shape, primitive, !outward}};
     }
+};
+
+/// Spectra of RGB colours at the packet's wavelengths.
+struct RgbLanesOfPath {
+    RgbLightLanes light;
+    RgbReflectanceLanes reflectance;
 };
 
 /// What one boundary between media is made of.
@@ -89,7 +97,7 @@ struct Boundary {
 class Tracer {
 public:
     Tracer(const PreparedScene& prepared, const WavelengthPacket& packet, const SampleKey& key,
-           MediaStack start, PacketMedia& media, RgbLightLanes& rgb,
+           MediaStack start, PacketMedia& media, RgbLanesOfPath& rgb,
            std::vector<SharedPath>& pending)
         : prepared_(prepared),
           settings_(prepared.scene.render),
@@ -111,6 +119,7 @@ private:
     bool thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& pane);
     bool smooth(SharedPath& path, const Vertex& vertex, const Dielectric& glass, int id);
     bool rough(SharedPath& path, const Hit& hit, const Dielectric& glass, int id);
+    bool is_rough(const Dielectric& glass, const Vertex& vertex);
     void split_shared(SharedPath& path, const Vertex& vertex, const Dielectric& glass,
                       const Boundary& boundary, const LaneValues& eta);
     void open_transmitted(const SharedPath& path, const Vertex& vertex, const LaneValues& beta,
@@ -157,7 +166,11 @@ private:
     }
     SharedPath lane_of(const OpenPath& path, int k) const;
     static bool dispersive(const LaneValues& eta, int count);
-    void tint(const SpectrumPtr& tint, const LaneSet& lanes, LaneValues& beta, LaneMask mask);
+    SurfaceInputs inputs_at(const Vertex& vertex) { return {vertex.at, rgb_.reflectance}; }
+    void tint(const ColourInput& tint, const Vertex& vertex, const LaneSet& lanes,
+              LaneValues& beta);
+    void tint_open(const ColourInput& tint, OpenPath& path, LaneMask mask, const RayLanes& arriving,
+                   const HitLanes& hits);
 
     const PreparedScene& prepared_;
     const RenderSettings& settings_;
@@ -165,7 +178,7 @@ private:
     const SampleKey key_;
     const int start_medium_;
     PacketMedia& packet_media_;
-    RgbLightLanes& rgb_;
+    RgbLanesOfPath& rgb_;
     std::vector<SharedPath>& pending_;  ///< single lanes that go on from something rough
     PixelSample result_;
     std::uint32_t branches_ = 0;
