@@ -52,16 +52,12 @@ Rgba linear_texel(const Texture& texture, int x, int y) {
     return value;
 }
 
-/// Positions far outside repeat the picture like near ones; what is no number is 0.
-double near(double x, int size) {
-    const double period = 2.0 * size;
-    return std::isfinite(x) ? x - period * std::floor(x / period) : 0.0;
-}
-
-/// `x` in texels, so that the arithmetic of integers does not overflow.
+/// `x` in texels, so near the picture that it fits an int. What is no number is 0.
 double in_texels(double x, int size, TextureWrap wrap) {
     const double place = x * size;
-    return wrap == TextureWrap::clamp ? std::clamp(place, -1.0, size + 1.0) : near(place, size);
+    if (std::isnan(place)) return 0.0;
+    if (wrap == TextureWrap::clamp) return std::clamp(place, -1.0, size + 1.0);
+    return std::isfinite(place) ? std::fmod(place, 2.0 * size) : 0.0;
 }
 
 }  // namespace
