@@ -14,6 +14,8 @@ std::shared_ptr<const Mesh> mirrored(const Mesh& mesh) {
     auto result = std::make_shared<Mesh>(mesh);
     for (Point<Object>& vertex : result->vertices) vertex.v = mirrored(vertex.v);
     for (Normal<Object>& normal : result->normals) normal.v = mirrored(normal.v);
+    // The bitangent is mirrored too, while normal × tangent turns to the other side.
+    for (auto& tangent : result->tangents) tangent[0] = -tangent[0], tangent[3] = -tangent[3];
     for (auto& triangle : result->triangles) std::swap(triangle[1], triangle[2]);
     return result;
 }

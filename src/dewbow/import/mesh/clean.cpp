@@ -53,21 +53,33 @@ void drop_triangles(Mesh& mesh, MeshRepairs& repairs) {
     mesh.triangles.resize(kept);
 }
 
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+
+/// Moves what each vertex i with new_index[i] != kUnused has to its new place, none of which lies
+/// above its old one. Lists that are empty stay so.
+
+template <class T>
+void renumber(std::vector<T>& values, const std::vector<std::uint32_t>& new_index,
+              std::size_t kept) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < new_index.size(); ++i)
+        if (new_index[i] != kUnused) values[new_index[i]] = values[i];
+    values.resize(kept);
+}
+
 void drop_unused_vertices(Mesh& mesh) {
-    constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
     for (const Triangle& triangle : mesh.triangles) {
         for (const std::uint32_t i : triangle) new_index[i] = 0;
     }
     std::uint32_t kept = 0;
-    for (std::size_t i = 0; i < new_index.size(); ++i) {
-        if (new_index[i] == kUnused) continue;
-        mesh.vertices[kept] = mesh.vertices[i];
-        if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
-        new_index[i] = kept++;
-    }
-    mesh.vertices.resize(kept);
-    if (!mesh.normals.empty()) mesh.normals.resize(kept);
+    for (std::uint32_t& index : new_index)
+        if (index != kUnused) index = kept++;
+    renumber(mesh.vertices, new_index, kept);
+    renumber(mesh.normals, new_index, kept);
+    for (auto& set : mesh.texcoords) renumber(set, new_index, kept);
+    renumber(mesh.colours, new_index, kept);
+    renumber(mesh.tangents, new_index, kept);
     for (Triangle& triangle : mesh.triangles) {
         for (std::uint32_t& i : triangle) i = new_index[i];
     }

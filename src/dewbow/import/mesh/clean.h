@@ -21,8 +21,8 @@ struct MeshRepairs {
 };
 
 /// Drops triangles that a renderer cannot use, then vertices that no triangle uses, and gives
-/// normals without direction a new one. Indices must be in range, and normals none or as many as
-/// vertices.
+/// normals without direction a new one. Indices must be in range, and normals, texture coordinates,
+/// colours and tangents none or as many as vertices.
 MeshRepairs clean(Mesh& mesh);
 
 /// Splits the polygon of `corners` into triangles around its first corner and adds them.

@@ -124,6 +124,45 @@ TEST(CleanMesh, DropsWhatCannotBeSeenAndCountsIt) {
     EXPECT_EQ(mesh.vertices.size(), 3u);  // unused ones are gone: they would spoil the bounds
 }
 
+TEST(CleanMesh, WhatBelongsToAVertexGoesWithIt) {
+    Mesh mesh;
+    mesh.vertices = {{{9, 9, 9}}, {{0, 0, 0}}, {{8, 8, 8}}, {{1, 0, 0}}, {{0, 1, 0}}};
+    mesh.triangles = {{1, 3, 4}};
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        mesh.texcoords[1].push_back({float(i), 0.0f});
+        mesh.colours.push_back({float(i), 0.0f, 0.0f, 1.0f});
+        mesh.tangents.push_back({float(i), 0.0f, 0.0f, 1.0f});
+    }
+    clean(mesh);
+    ASSERT_EQ(mesh.vertices.size(), 3u);
+    EXPECT_TRUE(mesh.texcoords[0].empty());
+    constexpr float kOldIndices[] = {1, 3, 4};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(mesh.texcoords[1][i][0], kOldIndices[i]);
+        EXPECT_EQ(mesh.colours[i][0], kOldIndices[i]);
+        EXPECT_EQ(mesh.tangents[i][0], kOldIndices[i]);
+    }
+}
+
+TEST(Mirrors, TheBitangentIsMirroredToo) {
+    auto mesh = std::make_shared<Mesh>(obj(std::string(kSquare) + "f 1 2 3\n"));
+    mesh->normals.assign(3, {normalised({1, 2, 3})});
+    const Vec3 t = normalised(cross({0, 1, 1}, mesh->normals[0].v));
+    mesh->tangents.assign(3, {float(t.x), float(t.y), float(t.z), 1.0f});
+    const auto bitangent = [](const Mesh& m) {
+        const auto& v = m.tangents[0];
+        return cross(m.normals[0].v, {double(v[0]), double(v[1]), double(v[2])}) * double(v[3]);
+    };
+    Shape shape;
+    shape.geometry = std::shared_ptr<const Mesh>(mesh);
+    shape.world_from_object = Transform<World, Object>(scaling({-1, 1, 1}));
+    const Shape upright = Mirrors().upright(shape);
+    const Mesh& turned = *std::get<std::shared_ptr<const Mesh>>(upright.geometry);
+    const Vec3 before = shape.world_from_object.affine().apply_linear(bitangent(*mesh));
+    const Vec3 after = upright.world_from_object.affine().apply_linear(bitangent(turned));
+    EXPECT_LT(length(before - after), 1e-6);  // rounding of tangents to float
+}
+
 // ---- PLY ---------------------------------------------------------------------------------------
 
 /// `value` as PLY writes it in that order of bytes.
