@@ -30,6 +30,7 @@ struct Replay {
 /// `dewbow render`. What is not set is as the scene says.
 struct RenderCommand {
     std::string scene_file;
+    std::string camera;                ///< empty: as the scene says
     std::vector<std::string> outputs;  ///< empty: the scene's stem with .exr and .png
     std::optional<PictureSize> size;
     std::optional<int> samples_per_pixel;

@@ -87,8 +87,8 @@ const std::vector<std::string> kPacketNames{"1", "4", "8", "16"};
 /// Every option's text as it was given; an option that was not is absent.
 struct RenderTexts {
     std::vector<std::string> outputs;
-    std::optional<std::string> scene, size, spp, time, noise, crop, threads, seed, packet, exposure,
-        gamut, spectral_bins, max_depth, wavelengths, estimator, pixel, sample, progress;
+    std::optional<std::string> scene, camera, size, spp, time, noise, crop, threads, seed, packet,
+        exposure, gamut, spectral_bins, max_depth, wavelengths, estimator, pixel, sample, progress;
     bool quiet = false, json = false;
 };
 
@@ -162,6 +162,7 @@ private:
                              const std::string& what, const std::string& form) {
             text_option(*render_, name, text, what, form);
         };
+        add("--camera", t.camera, "The camera of the scene that takes the picture", "NAME");
         add("--size", t.size, "Size of the picture in pixels", "WxH");
         add("--spp", t.spp, "Samples per pixel. With --time or --noise: as many as these allow",
             "N");
@@ -262,6 +263,8 @@ private:
         command.scene_file = *t.scene;
         for (const std::string& output : t.outputs)
             command.outputs.push_back(parse_file_name("--output", output, picture_extensions()));
+        if (t.camera && t.camera->empty()) throw UsageError("--camera wants a name", help_hint());
+        command.camera = t.camera.value_or("");
         command.quiet = t.quiet;
         command.json = t.json;
         if (t.size) command.size = parse_size("--size", *t.size);

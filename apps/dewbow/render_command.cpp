@@ -39,6 +39,7 @@ std::vector<std::filesystem::path> output_paths(const RenderCommand& command) {
 /// depends on.
 std::string replay_command(const RenderCommand& command) {
     std::string text = "dewbow render " + shell_quoted(command.scene_file);
+    if (!command.camera.empty()) text += " --camera " + shell_quoted(command.camera);
     if (command.size)
         text += fmt::format(" --size {}x{}", command.size->width, command.size->height);
     if (command.packet) text += fmt::format(" --packet {}", *command.packet);
@@ -79,7 +80,7 @@ void print_diagnostics(const Diagnostics& diagnostics) {
 }
 
 Scene load(const RenderCommand& command) {
-    ImportedScene imported = load_scene(command.scene_file);
+    ImportedScene imported = load_scene(command.scene_file, {.camera = command.camera});
     print_diagnostics(imported.diagnostics);
     apply_options(command, imported.scene);
     return std::move(imported.scene);

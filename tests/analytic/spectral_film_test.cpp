@@ -31,7 +31,7 @@ Scene lamp_behind_prism() {
     const Vec3 eye = Vec3{-x, 0, 0} - 2.0 * in;
     scene.camera.world_from_camera =
         Transform<World, Camera>(looking_at(eye, Vec3{-x, 0, 0}, {0, 1, 0}));
-    scene.camera.vertical_field_of_view = 14.0 * deg;
+    scene.camera.projection = Perspective{14.0 * deg};
     scene.film.width = 8;
     scene.film.height = 96;
     scene.film.filter = {FilterKind::box, 0.5};

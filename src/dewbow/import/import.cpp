@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/import/import.h"
 
+#include <algorithm>
+
 #include "dewbow/import/extension.h"
 #include "dewbow/import/gltf/gltf.h"
 #include "dewbow/import/mesh/mesh_file.h"
@@ -46,11 +48,42 @@ void add_studio(Scene& scene) {
     scene.lights.push_back(std::shared_ptr<const ImageEnvironment>(studio));
 }
 
-void complete(ParsedScene& parsed) {
+/// A note lists the names of this many cameras.
+constexpr std::size_t kMostNamesListed = 8;
+
+/// The camera that takes the picture.
+void choose_camera(const SourcePlace& file, const std::string& wish, ParsedScene& parsed) {
     Scene& scene = parsed.scene;
-    if (!parsed.has_camera) {
-        scene.camera = frame_bounds(bounds_of(scene), double(scene.film.width) / scene.film.height);
+    std::vector<std::string> names;
+    for (const CameraView& camera : scene.cameras) {
+        names.push_back(camera.name);
+        if (camera.name != wish) continue;
+        scene.camera = camera;
+        return;
     }
+    if (!wish.empty()) {
+        throw InputError(
+            file, "there is no camera \"" + wish + "\"", {},
+            names.empty() ? "the scene has no camera" : one_line(hint_for(wish, names)));
+    }
+    if (names.empty()) {
+        scene.camera = frame_bounds(bounds_of(scene), double(scene.film.width) / scene.film.height);
+        return;
+    }
+    scene.camera = scene.cameras.front();
+    if (parsed.camera_stated || names.size() == 1) return;
+    std::string others;
+    for (std::size_t i = 1; i < std::min(names.size(), kMostNamesListed); ++i)
+        others += (i == 1 ? "" : ", ") + one_line(names[i]);
+    if (names.size() > kMostNamesListed) others += ", …";
+    parsed.diagnostics.push_back(
+        {file, "camera \"" + one_line(names.front()) +
+                   "\" takes the picture; --camera NAME picks another: " + others});
+}
+
+void complete(const SourcePlace& file, const LoadOptions& options, ParsedScene& parsed) {
+    Scene& scene = parsed.scene;
+    choose_camera(file, options.camera, parsed);
     if (!brings_light(scene)) add_studio(scene);
 }
 
@@ -65,9 +98,9 @@ const std::vector<std::string>& scene_extensions() {
     return extensions;
 }
 
-ImportedScene load_scene(const std::filesystem::path& path) {
+ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
     ParsedScene parsed = format_of(path).load(path);
-    complete(parsed);
+    complete({path.string(), 0, 0, {}}, options, parsed);
     try {
         validate(parsed.scene);
     } catch (const InputError& error) {  // it knows what is wrong, and not in which file

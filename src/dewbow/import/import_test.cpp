@@ -105,7 +105,7 @@ TEST(SceneFormatManual, ItsExampleIsAScene) {
     ASSERT_LT(begin, end);
     const ParsedScene parsed = parse_scene_toml("manual.toml", manual.substr(begin, end - begin));
     EXPECT_EQ(parsed.scene.shapes.size(), 1u);
-    EXPECT_TRUE(parsed.has_camera);
+    EXPECT_EQ(parsed.scene.cameras.size(), 1u);
 }
 
 // ---- imports of scene.toml ---------------------------------------------------------------------
@@ -140,6 +140,76 @@ TEST_F(ImportTest, ImportsBringShapesLightsAndCamera) {
     EXPECT_EQ(scene.film.white_luminance, 1.0);
 }
 
+constexpr const char* kThreeCameras = R"([camera]
+position = [0, 0, 1]
+look_at = [0, 0, 0]
+[cameras.left]
+position = [-1, 0, 1]
+look_at = [0, 0, 0]
+[cameras.ring]
+from = "ring/close"
+[[imports]]
+file = "ring.gltf"
+name = "ring")";
+
+gltf_test::Parts two_cameras() {
+    gltf_test::Parts parts = lit_triangle();
+    parts.roots = "[0, 1, 2, 3]";
+    parts.nodes = R"([{"name": "tri", "mesh": 0}, {"name": "far", "camera": 0},
+        {"camera": 1, "translation": [0, 0, 2]}, {"name": "far", "camera": 0}])";
+    parts.rest = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5}},
+        {"name": "close", "type": "perspective", "perspective": {"yfov": 0.25}}])";
+    return parts;
+}
+
+std::vector<std::string> camera_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const CameraView& camera : scene.cameras) names.push_back(camera.name);
+    return names;
+}
+
+TEST_F(ImportTest, CamerasAreOfferedByName) {
+    write("ring.gltf", gltf_test::text_of(two_cameras()));
+    const std::string path = write("scene.toml", kThreeCameras);
+    const ImportedScene imported = load_scene(path);
+    EXPECT_EQ(camera_names(imported.scene),
+              (std::vector<std::string>{"camera", "left", "ring", "ring/far", "ring/close",
+                                        "ring/far 2"}));
+    EXPECT_EQ(imported.scene.camera.name, "camera");
+    EXPECT_TRUE(imported.diagnostics.empty());  // the file says which one
+    EXPECT_EQ(load_scene(path, {.camera = "left"}).scene.camera.name, "left");
+    const CameraView ring = load_scene(path, {.camera = "ring"}).scene.camera;
+    EXPECT_NEAR(std::get<Perspective>(ring.projection).vertical_field_of_view.to(unit::rad), 0.25,
+                1e-12);
+}
+
+TEST_F(ImportTest, TheFirstCameraOfAGltfTakesThePictureAndTheOthersAreNamed) {
+    const std::string path = write("ring.gltf", gltf_test::text_of(two_cameras()));
+    const ImportedScene imported = load_scene(path);
+    EXPECT_EQ(imported.scene.camera.name, "far");
+    ASSERT_EQ(imported.diagnostics.size(), 1u);
+    EXPECT_EQ(imported.diagnostics[0].text,
+              "camera \"far\" takes the picture; --camera NAME picks another: close, far 2");
+    const ImportedScene chosen = load_scene(path, {.camera = "close"});
+    EXPECT_EQ(chosen.scene.camera.name, "close");
+    EXPECT_TRUE(chosen.diagnostics.empty());
+}
+
+TEST_F(ImportTest, CamerasThatAreNotThereAreErrors) {
+    const auto error_of = [](const std::string& path, const std::string& camera) {
+        try {
+            load_scene(path, {.camera = camera});
+        } catch (const InputError& error) {
+            return std::string(error.sentence()) + " | " + std::string(error.hint());
+        }
+        return std::string("no error");
+    };
+    const std::string gltf = write("ring.gltf", gltf_test::text_of(two_cameras()));
+    EXPECT_EQ(error_of(gltf, "clase"), "there is no camera \"clase\" | did you mean \"close\"?");
+    EXPECT_EQ(error_of(write("a.obj", kTriangle), "any"),
+              "there is no camera \"any\" | the scene has no camera");
+}
+
 TEST_F(ImportTest, WhatTheSceneSaysWins) {
     write("ring.gltf", gltf_test::text_of(lit_triangle()));
     const Scene scene = load_scene(write("scene.toml", R"(
@@ -158,7 +228,8 @@ TEST_F(ImportTest, WhatTheSceneSaysWins) {
                             .scene;
     EXPECT_EQ(scene.film.white_luminance, 77.0);
     EXPECT_EQ(scene.materials[std::size_t(scene.shapes.at(0).material)].name, "glass");
-    EXPECT_NEAR(scene.camera.vertical_field_of_view.to(unit::rad), 0.5, 1e-12);
+    EXPECT_NEAR(std::get<Perspective>(scene.camera.projection).vertical_field_of_view.to(unit::rad),
+                0.5, 1e-12);
 }
 
 TEST_F(ImportTest, OverridesNameMaterialsThatAreThere) {

@@ -63,7 +63,7 @@ Affine without_scale(const Affine& affine) {
     return looking_at(eye, eye + ahead, up);
 }
 
-PerspectiveCamera moved(PerspectiveCamera camera, const Affine& world_from_guest) {
+CameraView moved(CameraView camera, const Affine& world_from_guest) {
     camera.world_from_camera = Transform<World, Camera>(
         without_scale(world_from_guest * camera.world_from_camera.affine()));
     return camera;

@@ -19,7 +19,7 @@ void merge(Scene& host, const Scene& guest, const Affine& world_from_guest,
            const std::vector<MaterialOverride>& overrides);
 
 /// The camera as it stands after the move: no scale and no mirror image is left in it.
-PerspectiveCamera moved(PerspectiveCamera camera, const Affine& world_from_guest);
+CameraView moved(CameraView camera, const Affine& world_from_guest);
 
 /// A frame with the origin, the −z and the y of `affine`, orthonormal.
 Affine without_scale(const Affine& affine);

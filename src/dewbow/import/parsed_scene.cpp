@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/import/parsed_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace dewbow {
@@ -42,6 +44,17 @@ std::vector<char> materials_in_use(const Scene& scene) {
 }
 
 }  // namespace
+
+void offer_camera(Scene& scene, CameraView camera) {
+    if (camera.name.empty()) camera.name = "camera";
+    const std::string stem = camera.name;
+    const auto taken = [&] {
+        return std::any_of(scene.cameras.begin(), scene.cameras.end(),
+                           [&](const CameraView& other) { return other.name == camera.name; });
+    };
+    for (int number = 2; taken(); ++number) camera.name = fmt::format("{} {}", stem, number);
+    scene.cameras.push_back(std::move(camera));
+}
 
 bool brings_light(const Scene& scene) {
     const std::vector<char> used = materials_in_use(scene);

@@ -13,8 +13,12 @@ namespace dewbow {
 struct ParsedScene {
     Scene scene;
     Diagnostics diagnostics;
-    bool has_camera = false;
+    bool camera_stated = false;  ///< the file says which of its cameras takes the picture
 };
+
+/// Adds a camera to those that `scene` offers. Where its name is taken or empty it gets a number:
+/// "camera", "camera 2", "camera 3".
+void offer_camera(Scene& scene, CameraView camera);
 
 /// True if something in the scene gives off light that its surfaces can show.
 bool brings_light(const Scene& scene);

@@ -51,7 +51,8 @@ CameraRays::CameraRays(const Scene& scene)
       world_from_camera_(scene.camera.world_from_camera),
       position_(world_from_camera_(Point<Camera>{}).v),
       axis_(normalised(world_from_camera_(Dir<Camera>{{0, 0, -1}}).v)),
-      half_height_(tan(0.5 * scene.camera.vertical_field_of_view)),
+      half_height_(
+          tan(0.5 * std::get<Perspective>(scene.camera.projection).vertical_field_of_view)),
       width_(scene.film.width),
       height_(scene.film.height) {
     half_width_ = half_height_ * width_ / height_;

@@ -50,7 +50,7 @@ Scene scene_of(int width, int height) {
     Scene scene = make_empty_scene();
     scene.film.width = width;
     scene.film.height = height;
-    scene.camera.vertical_field_of_view = 60.0 * unit::deg;
+    scene.camera.projection = Perspective{60.0 * unit::deg};
     return scene;
 }
 

@@ -4,18 +4,27 @@
 // Where the picture is taken from, and on what.
 
 #include <string>
+#include <variant>
 
 #include "dewbow/math/transform.h"
 #include "dewbow/spectrum/cie.h"
 
 namespace dewbow {
 
-/// A pinhole camera.
-struct PerspectiveCamera {
-    std::string name;
-    Transform<World, Camera> world_from_camera;
+/// All lines of sight go through one point.
+struct Perspective {
     /// Full angle between the upper and the lower edge of the picture.
     Angle vertical_field_of_view = 40.0 * unit::deg;
+};
+
+/// Which line of sight belongs to a point of the picture.
+using Projection = std::variant<Perspective>;
+
+/// What takes the picture, and from where.
+struct CameraView {
+    std::string name;
+    Transform<World, Camera> world_from_camera;
+    Projection projection;
 };
 
 enum class FilterKind { box, gaussian, blackman_harris };

@@ -37,7 +37,8 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Light> lights;
-    PerspectiveCamera camera;
+    CameraView camera;                ///< takes the picture
+    std::vector<CameraView> cameras;  ///< all that a file offers, by name; its own choice first
     Film film;
     RenderSettings render;
     /// What fills the space between bodies.
@@ -68,7 +69,7 @@ Bounds bounds_of(const Scene& scene);
 Bounds bounds_of(const Shape& shape);
 
 /// A camera at a three-quarter view that holds `bounds` wholly, for scenes that bring none.
-PerspectiveCamera frame_bounds(const Bounds& bounds, double aspect);
+CameraView frame_bounds(const Bounds& bounds, double aspect);
 
 /// A photographer's studio: soft boxes before dark grey, for scenes that bring no light.
 std::shared_ptr<const ImageEnvironment> make_studio_environment();

@@ -68,9 +68,10 @@ TEST(FrameBounds, HoldsThemWholly) {
     bounds.add({-3, 0, 1});
     bounds.add({5, 2, 4});
     for (const double aspect : {0.25, 1.0, 16.0 / 9.0, 4.0}) {
-        const PerspectiveCamera camera = frame_bounds(bounds, aspect);
+        const CameraView camera = frame_bounds(bounds, aspect);
         const auto camera_from_world = camera.world_from_camera.inverse();
-        const double half_height = tan(camera.vertical_field_of_view / 2.0);
+        const double half_height =
+            tan(std::get<Perspective>(camera.projection).vertical_field_of_view / 2.0);
         double widest = 0.0;
         for (int corner = 0; corner < 8; ++corner) {
             const Vec3 p =
@@ -142,9 +143,9 @@ std::shared_ptr<Mesh> triangle() {
 }
 
 const Fault kFaults[] = {
-    {[](Scene& s) { s.camera.vertical_field_of_view = 180.0 * unit::deg; },
+    {[](Scene& s) { s.camera.projection = Perspective{180.0 * unit::deg}; },
      "the vertical field of view is 180"},
-    {[](Scene& s) { s.camera.vertical_field_of_view = kNan * unit::deg; },
+    {[](Scene& s) { s.camera.projection = Perspective{kNan * unit::deg}; },
      "the vertical field of view is nan"},
     {[](Scene& s) { s.film.width = 0; }, "film: width is 0; it must be between 1 and 65536"},
     {[](Scene& s) { s.film.white_luminance = 0.0; }, "film: white luminance is 0"},

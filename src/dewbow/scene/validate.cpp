@@ -11,10 +11,11 @@ using namespace checks;
 constexpr int kMaxPictureSide = 65536;
 constexpr double kMaxFilterRadius = 16.0;
 
-void check_camera(const PerspectiveCamera& camera) {
+void check_camera(const CameraView& camera) {
     const std::string who = fmt::format("camera \"{}\"", camera.name);
     check_affine(who, camera.world_from_camera.affine());
-    const double degrees = camera.vertical_field_of_view.to(unit::deg);
+    const double degrees =
+        std::get<Perspective>(camera.projection).vertical_field_of_view.to(unit::deg);
     if (degrees > 0.0 && degrees < 180.0) return;
     fail(who,
          fmt::format("the vertical field of view is {} deg; it must be between 0 and 180 deg, both "

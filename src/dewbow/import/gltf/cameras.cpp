@@ -21,11 +21,11 @@ bool has_view(const Affine& affine) {
 
 }  // namespace
 
-std::optional<PerspectiveCamera> read_camera(Document& document, const PlacedNode& node) {
+std::optional<CameraView> read_camera(Document& document, const PlacedNode& node) {
     const auto reference = node.json.find("camera");
     if (!reference) return std::nullopt;
     const Json definition = document.item("cameras", *reference);
-    PerspectiveCamera camera;
+    CameraView camera;
     camera.name = definition.text("name", node.name);
     const std::string who = fmt::format("camera \"{}\"", camera.name);
     const auto perspective = definition.find("perspective");
@@ -33,8 +33,8 @@ std::optional<PerspectiveCamera> read_camera(Document& document, const PlacedNod
         document.notes().add(definition.place(), "{} is not perspective and is not used", who);
         return std::nullopt;
     }
-    camera.vertical_field_of_view =
-        perspective->require("yfov").number(kFieldOfViewRange) * unit::rad;
+    camera.projection =
+        Perspective{perspective->require("yfov").number(kFieldOfViewRange) * unit::rad};
     if (!has_view(node.world_from_node)) {
         document.notes().add(node.json.place(), "{} looks nowhere: its node is scaled to nothing",
                              who);

@@ -10,6 +10,6 @@ namespace dewbow::gltf {
 
 /// The camera of `node`, or nothing if it has none that can be used, which is noted. Throws
 /// InputError.
-std::optional<PerspectiveCamera> read_camera(Document& document, const PlacedNode& node);
+std::optional<CameraView> read_camera(Document& document, const PlacedNode& node);
 
 }  // namespace dewbow::gltf

@@ -52,7 +52,7 @@ TEST(GltfGeometry, ReadsTheTriangle) {
     EXPECT_TRUE(mesh.normals.empty());
     expect_near(corner(parsed.scene.shapes[0], 0, 1), {1, 0, 0});
     expect_near(world_normal(parsed.scene.shapes[0], 0), {0, 0, 1});
-    EXPECT_FALSE(parsed.has_camera);
+    EXPECT_TRUE(parsed.scene.cameras.empty());
 }
 
 TEST(GltfGeometry, StripsAndFansKeepOneFace) {
@@ -280,12 +280,14 @@ TEST(GltfCameras, LookAlongMinusZWhateverTheScale) {
     parts.rest =
         R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.01}}])";
     const ParsedScene parsed = parse(parts);
-    ASSERT_TRUE(parsed.has_camera);
-    const auto& world_from_camera = parsed.scene.camera.world_from_camera;
+    ASSERT_EQ(parsed.scene.cameras.size(), 1u);
+    const CameraView& camera = parsed.scene.cameras[0];
+    const auto& world_from_camera = camera.world_from_camera;
     expect_near(world_from_camera(Point<Camera>{{0, 0, 0}}).v, {0, 1, 6});
     expect_near(world_from_camera(Dir<Camera>{{0, 0, -1}}).v, {0, 0, -1});
     expect_near(world_from_camera(Dir<Camera>{{1, 0, 0}}).v, {1, 0, 0});
-    EXPECT_NEAR(parsed.scene.camera.vertical_field_of_view.to(unit::rad), 0.5, kRounding);
+    EXPECT_NEAR(std::get<Perspective>(camera.projection).vertical_field_of_view.to(unit::rad), 0.5,
+                kRounding);
 }
 
 }  // namespace

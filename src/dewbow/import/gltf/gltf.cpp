@@ -65,15 +65,7 @@ private:
 
     void add_camera(const PlacedNode& node) {
         auto camera = read_camera(document_, node);
-        if (!camera) return;
-        if (parsed_.has_camera) {
-            const std::string text = fmt::format("camera \"{}\" is used, the camera of {{}} is not",
-                                                 parsed_.scene.camera.name);
-            document_.notes().add(node.json.place(), text, fmt::format("node \"{}\"", node.name));
-            return;
-        }
-        parsed_.scene.camera = std::move(*camera);
-        parsed_.has_camera = true;
+        if (camera) offer_camera(parsed_.scene, std::move(*camera));
     }
 
     void add_mesh(const PlacedNode& node, const Json& reference) {

@@ -67,9 +67,11 @@ std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* 
         merge(scene, guest.scene, placement, read_overrides(table, guest.scene, names));
         table.finish();
 
-        Import import{name, std::nullopt, guest.scene.film.white_luminance,
-                      brings_light(guest.scene)};
-        if (guest.has_camera) import.camera = moved(guest.scene.camera, placement);
+        Import import{name, {}, guest.scene.film.white_luminance, brings_light(guest.scene)};
+        for (const CameraView& camera : guest.scene.cameras) {
+            import.cameras.push_back(moved(camera, placement));
+            import.cameras.back().name = fmt::format("{}/{}", name, camera.name);
+        }
         result.push_back(std::move(import));
         diagnostics.insert(diagnostics.end(), guest.diagnostics.begin(), guest.diagnostics.end());
     });

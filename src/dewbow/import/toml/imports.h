@@ -5,7 +5,6 @@
 // [imports.materials]: its material's name = the name of a material of this file.
 
 #include <filesystem>
-#include <optional>
 
 #include "dewbow/import/toml/materials.h"
 
@@ -14,7 +13,7 @@ namespace dewbow::toml_import {
 /// What an import brings that the scene file may refer to.
 struct Import {
     std::string name;
-    std::optional<PerspectiveCamera> camera;
+    std::vector<CameraView> cameras;  ///< "its name/the camera's name"
     double white_luminance = 0.0;
     bool lit = false;
 };

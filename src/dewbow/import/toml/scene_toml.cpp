@@ -18,36 +18,60 @@ using namespace toml_import;
 
 constexpr std::uint64_t kMaxTomlBytes = std::uint64_t{64} << 20;
 
-const PerspectiveCamera& imported_camera(const TomlDocument& document, const TomlValue& from,
-                                         const std::vector<Import>& imports) {
+/// The camera "import/camera", or the first one of "import".
+const CameraView& imported_camera(const TomlDocument& document, const TomlValue& from,
+                                  const std::vector<Import>& imports) {
     const std::string& name = read_text(document, from, "from");
-    std::vector<std::string> names;
+    std::vector<std::string> imported, offered;
     for (const Import& import : imports) {
-        names.push_back(import.name);
-        if (import.name != name) continue;
-        if (!import.camera)
+        imported.push_back(import.name);
+        for (const CameraView& camera : import.cameras) {
+            offered.push_back(camera.name);
+            if (import.name == name || camera.name == name) return camera;
+        }
+        if (import.name == name)
             fail(document, from.place, fmt::format("import \"{}\" has no camera", name));
-        return *import.camera;
     }
+    if (name.find('/') != std::string::npos && !offered.empty())
+        fail(document, from.place, fmt::format("there is no camera \"{}\"", name),
+             hint_for(name, offered));
     fail(document, from.place, fmt::format("there is no import \"{}\"", name),
-         hint_for(name, names));
+         hint_for(name, imported));
 }
 
-void read_camera_table(const TomlDocument& document, const TomlValue* value,
-                       const std::vector<Import>& imports, ParsedScene& parsed) {
-    if (value) {
-        Table table(document, *value, "[camera]");
-        const TomlValue* from = table.find("from");
-        parsed.scene.camera = from ? imported_camera(document, *from, imports) : read_camera(table);
-        parsed.has_camera = true;
-        table.finish();
-        return;
+CameraView read_one_camera(Table& table, const std::string& name,
+                           const std::vector<Import>& imports) {
+    const TomlValue* from = table.find("from");
+    CameraView camera =
+        from ? imported_camera(table.document(), *from, imports) : read_camera(table, name);
+    camera.name = name;
+    table.finish();
+    return camera;
+}
+
+/// [camera], [cameras.NAME] and those of the imports, in this order.
+void read_cameras(const TomlDocument& document, const TomlValue* chosen, const TomlValue* others,
+                  const std::vector<Import>& imports, ParsedScene& parsed) {
+    if (chosen) {
+        Table table(document, *chosen, "[camera]");
+        offer_camera(parsed.scene, read_one_camera(table, "camera", imports));
+        parsed.camera_stated = true;
     }
-    for (const Import& import : imports) {
-        if (!import.camera || parsed.has_camera) continue;
-        parsed.scene.camera = *import.camera;
-        parsed.has_camera = true;
+    if (others && !others->table())
+        fail(document, others->place,
+             fmt::format("cameras is {}; expected tables", describe(*others)),
+             "write [cameras.NAME] above each");
+    if (others) {
+        for (const TomlEntry& entry : *others->table()) {
+            if (chosen && entry.key == "camera")
+                fail(document, entry.key_place, "[cameras.camera] has the name of [camera]",
+                     "give it another name");
+            Table table(document, entry.value, fmt::format("[cameras.{}]", entry.key));
+            offer_camera(parsed.scene, read_one_camera(table, entry.key, imports));
+        }
     }
+    for (const Import& import : imports)
+        for (const CameraView& camera : import.cameras) offer_camera(parsed.scene, camera);
 }
 
 void read_surroundings(const TomlDocument& document, const TomlValue* value, Scene& scene) {
@@ -94,7 +118,7 @@ ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text
     const auto imports =
         read_imports(document, root.find("imports"), names, folder, scene, parsed.diagnostics);
     adopt_white(film, lit_itself, imports, scene);
-    read_camera_table(document, root.find("camera"), imports, parsed);
+    read_cameras(document, root.find("camera"), root.find("cameras"), imports, parsed);
     root.finish();
     return parsed;
 }

@@ -47,6 +47,11 @@ constexpr WrongScene kWrongScenes[] = {
     {"[camera]\nposition = [0, 0, 0]\n§position_mm = [0, 0, 0]\nlook_at = [0, 0, 1]",
      "position and position_mm say the same thing"},
     {"[camera]\nfrom = §\"ring\"", "there is no import \"ring\""},
+    {"cameras = §3", "write [cameras.NAME] above each"},
+    {"[cameras]\nleft = §3", "[cameras.left] is the number 3; expected a table"},
+    {"§[cameras.left]\nlook_at = [0, 0, 0]", "[cameras.left] needs position"},
+    {"[camera]\nposition = [0, 0, 1]\nlook_at = [0, 0, 0]\n[cameras.§camera]\nfrom = \"ring\"",
+     "[cameras.camera] has the name of [camera]"},
     // [film] and [render]
     {"[film]\nwidth = §0", "width is 0; it must be between 1 and 65536"},
     {"[film]\nwidth = §1.5", "width is the number 1.5; expected a whole number"},

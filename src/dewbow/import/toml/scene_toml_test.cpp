@@ -55,7 +55,7 @@ Vec3 world(const Shape& s, Vec3 p) { return s.world_from_object(Point<Object>{p}
 TEST(SceneToml, NothingIsAnEmptyScene) {
     const ParsedScene parsed = parse("# nothing\n");
     EXPECT_TRUE(parsed.scene.shapes.empty());
-    EXPECT_FALSE(parsed.has_camera);
+    EXPECT_TRUE(parsed.scene.cameras.empty());
     EXPECT_EQ(parsed.scene.film.width, Film{}.width);
     EXPECT_EQ(parsed.scene.surroundings->index, air());
 }
@@ -82,11 +82,12 @@ TEST(SceneToml, CameraFilmAndRender) {
         max_depth = 12
         roulette_depth = 3
     )");
-    EXPECT_TRUE(parsed.has_camera);
-    const auto& camera = parsed.scene.camera;
+    ASSERT_EQ(parsed.scene.cameras.size(), 1u);
+    const CameraView& camera = parsed.scene.cameras[0];
     expect_near(camera.world_from_camera(Point<Camera>{}).v, {0, 1, 5});
     expect_near(camera.world_from_camera(Dir<Camera>{{0, 0, -1}}).v, {0, 0, -1});
-    EXPECT_NEAR(camera.vertical_field_of_view.to(unit::deg), 25.0, kRounding);
+    EXPECT_NEAR(std::get<Perspective>(camera.projection).vertical_field_of_view.to(unit::deg), 25.0,
+                kRounding);
     const Film& film = parsed.scene.film;
     EXPECT_EQ(film.width, 320);
     EXPECT_EQ(film.height, 200);

@@ -47,12 +47,12 @@ int read_packet(Table& table, int otherwise) {
 
 }  // namespace
 
-PerspectiveCamera read_camera(Table& table) {
-    PerspectiveCamera camera;
-    camera.name = "camera";
+CameraView read_camera(Table& table, const std::string& name) {
+    CameraView camera;
+    camera.name = name;
     camera.world_from_camera = Transform<World, Camera>(read_viewpoint(table));
-    camera.vertical_field_of_view =
-        table.number("vertical_fov_deg", kFieldOfViewRange_deg, 40.0) * unit::deg;
+    camera.projection =
+        Perspective{table.number("vertical_fov_deg", kFieldOfViewRange_deg, 40.0) * unit::deg};
     return camera;
 }
 
