@@ -41,6 +41,7 @@ struct RenderCommand {
     std::optional<std::uint64_t> seed;
     std::optional<int> packet;
     std::optional<double> exposure_stops;
+    bool automatic_exposure = false;
     GamutMapping gamut = DisplaySettings{}.gamut;
     std::optional<int> spectral_bins;
     std::optional<int> max_depth;

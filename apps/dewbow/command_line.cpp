@@ -173,7 +173,8 @@ private:
         add("--threads", t.threads, "Threads to use. Default: all", "N");
         add("--seed", t.seed, "Seed of the random numbers", "N");
         add("--packet", t.packet, "Wavelengths that one path carries", alternatives(kPacketNames));
-        add("--exposure", t.exposure, "Exposure of PNG pictures", "STOPS");
+        add("--exposure", t.exposure, "Exposure of PNG pictures; auto: by the picture",
+            "STOPS|auto");
         add("--gamut", t.gamut, "How PNG pictures show colours that a screen does not have",
             alternatives(gamut_words()));
         add("--spectral-bins", t.spectral_bins, "Wavelength bins to write into EXR pictures", "N");
@@ -320,7 +321,8 @@ private:
 
     void read_display(RenderCommand& command) const {
         const RenderTexts& t = render_texts_;
-        if (t.exposure)
+        command.automatic_exposure = t.exposure && *t.exposure == "auto";
+        if (t.exposure && !command.automatic_exposure)
             command.exposure_stops =
                 parse_real("--exposure", *t.exposure, -kMostExposureStops, kMostExposureStops);
         if (!t.gamut) return;

@@ -14,6 +14,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/import/import.h"
+#include "dewbow/render/exposure.h"
 #include "dewbow/render/output.h"
 #include "dewbow/render/session.h"
 #include "interrupt.h"
@@ -60,6 +61,9 @@ void apply_options(const RenderCommand& command, Scene& scene) {
         scene.film.width = command.size->width;
         scene.film.height = command.size->height;
     }
+    if (command.exposure_stops || command.automatic_exposure)
+        scene.film.exposure =
+            command.automatic_exposure ? ExposureMode::automatic : ExposureMode::fixed;
     set(scene.film.exposure_stops, command.exposure_stops);
     set(scene.film.spectral_bins, command.spectral_bins);
     set(scene.render.samples_per_pixel, command.samples_per_pixel);
@@ -274,7 +278,13 @@ int render_picture(const RenderCommand& command, const Scene& scene,
     }
 
     DisplaySettings display;
-    display.exposure_stops = scene.film.exposure_stops;
+    display.exposure_stops = exposure_of(work.film, scene.film);
+    if (scene.film.exposure != ExposureMode::fixed && display.exposure_stops != 0.0 &&
+        !command.quiet)
+        print_message(
+            fmt::format("exposure {:+.2f} stops, chosen by the picture; --exposure 0 "
+                        "shows it as its numbers say",
+                        display.exposure_stops));
     display.gamut = command.gamut;
     const std::string scene_name = std::filesystem::path(command.scene_file).filename().string();
     const std::vector<std::string> failures =

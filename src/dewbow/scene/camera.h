@@ -36,12 +36,19 @@ struct PixelFilter {
     double radius = 1.5;
 };
 
+enum class ExposureMode {
+    fixed,            ///< Film::exposure_stops
+    automatic,        ///< chosen by the finished picture
+    automatic_if_far  ///< 0, unless the picture would be much too bright or too dark
+};
+
 struct Film {
     int width = 960, height = 540;
     PixelFilter filter;
     /// Luminance in cd m⁻² that (1, 1, 1) of the written picture stands for, and that a screen
     /// shows as white at exposure 0. Default: that of the constant spectrum 1 W m⁻² sr⁻¹ nm⁻¹.
     double white_luminance = kLuminousEfficacy * 106.856917;
+    ExposureMode exposure = ExposureMode::fixed;
     double exposure_stops = 0.0;
     /// Wavelength bins of the spectral layers, even over 360–830 nm; 0 = none.
     int spectral_bins = 0;

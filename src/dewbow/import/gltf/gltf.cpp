@@ -39,6 +39,7 @@ public:
     ParsedScene build() {
         parsed_.scene = make_empty_scene();
         parsed_.scene.film.white_luminance = 1.0;
+        parsed_.scene.film.exposure = ExposureMode::automatic_if_far;
         for_each_node(document_, [&](const PlacedNode& node) { add_node(node); });
         if (parsed_.scene.shapes.empty()) {
             document_.notes().add(document_.root().place(),

@@ -22,6 +22,7 @@ constexpr std::int64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
 const std::array<std::string, 3> kFilterNames = {"box", "gaussian", "blackman-harris"};
 constexpr std::array kFilterKinds = {FilterKind::box, FilterKind::gaussian,
                                      FilterKind::blackman_harris};
+const std::array<std::string, 1> kExposureWords = {"auto"};
 const std::array<std::string, 2> kSamplingNames = {"visual", "uniform"};
 
 PixelFilter read_filter(Table& table) {
@@ -32,6 +33,18 @@ PixelFilter read_filter(Table& table) {
     if (filter.kind == FilterKind::box) filter.radius = 0.5;
     filter.radius = table.number("filter_radius_px", kFilterRadiusRange, filter.radius);
     return filter;
+}
+
+/// A number of stops, or "auto".
+void read_exposure(Table& table, Film& film) {
+    const TomlValue* value = table.find("exposure_stops");
+    if (!value) return;
+    if (value->text()) {
+        read_choice(table.document(), *value, "exposure_stops", kExposureWords);
+        film.exposure = ExposureMode::automatic;
+        return;
+    }
+    film.exposure_stops = read_number(table.document(), *value, "exposure_stops", kExposureRange);
 }
 
 int read_packet(Table& table, int otherwise) {
@@ -62,7 +75,7 @@ void read_film(const TomlDocument& document, const TomlValue* value, Film& film)
     film.width = int(table.integer("width", 1, kMaxSide, film.width));
     film.height = int(table.integer("height", 1, kMaxSide, film.height));
     film.filter = read_filter(table);
-    film.exposure_stops = table.number("exposure_stops", kExposureRange, film.exposure_stops);
+    read_exposure(table, film);
     film.white_luminance =
         table.number("white_luminance_cd_m2", kLuminanceRange, film.white_luminance);
     film.spectral_bins =
