@@ -4,6 +4,43 @@
 #include <algorithm>
 
 namespace dewbow {
+namespace {
+
+/// The value between three vertices' values.
+template <std::size_t N>
+std::array<double, N> between(const std::vector<std::array<float, N>>& at,
+                              const std::array<std::uint32_t, 3>& triangle, double u, double v) {
+    const auto &a = at[triangle[0]], &b = at[triangle[1]], &c = at[triangle[2]];
+    std::array<double, N> value;
+    for (std::size_t i = 0; i < N; ++i)
+        value[i] = (1.0 - u - v) * double(a[i]) + u * double(b[i]) + v * double(c[i]);
+    return value;
+}
+
+}  // namespace
+
+SurfaceCoordinates coordinates_on(const Mesh& mesh, int triangle, double u, double v) {
+    const std::array<std::uint32_t, 3>& corners = mesh.triangles[std::size_t(triangle)];
+    SurfaceCoordinates at;
+    for (std::size_t set = 0; set < 2; ++set) {
+        const auto& coordinates = mesh.texcoords[mesh.texcoords[set].empty() ? 1 - set : set];
+        if (coordinates.empty()) continue;
+        const auto point = between(coordinates, corners, u, v);
+        at.uv[set] = {point[0], point[1]};
+    }
+    if (!mesh.colours.empty()) {
+        const auto rgba = between(mesh.colours, corners, u, v);
+        at.colour = {{rgba[0], rgba[1], rgba[2]}};
+        at.alpha = rgba[3];
+    }
+    return at;
+}
+
+SurfaceCoordinates coordinates_on_chart(double u, double v) {
+    SurfaceCoordinates at;
+    at.uv.fill({u, v});
+    return at;
+}
 
 double SurfaceInputs::number(const NumberInput& input) const {
     if (!input.texture) return input.value;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "dewbow/render/rgb_lanes.h"
+#include "dewbow/scene/shape.h"
 #include "dewbow/scene/surface_input.h"
 
 namespace dewbow {
@@ -14,7 +15,14 @@ namespace dewbow {
 struct SurfaceCoordinates {
     std::array<TexturePoint, 2> uv;              ///< both sets of the mesh
     Colour<LinearSrgb> colour{{1.0, 1.0, 1.0}};  ///< of the mesh's vertices
+    double alpha = 1.0;                          ///< of the mesh's vertices
 };
+
+/// On `triangle` of `mesh`, with weights `u`, `v` of its vertices 1 and 2. Where the mesh has only
+/// one set of texture coordinates it stands for both, where it has none they are 0.
+SurfaceCoordinates coordinates_on(const Mesh& mesh, int triangle, double u, double v);
+/// On a shape that has coordinates of its own.
+SurfaceCoordinates coordinates_on_chart(double u, double v);
 
 class SurfaceInputs {
 public:
