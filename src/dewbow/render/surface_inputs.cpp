@@ -42,9 +42,9 @@ SurfaceCoordinates coordinates_on_chart(double u, double v) {
     return at;
 }
 
-double SurfaceInputs::number(const NumberInput& input) const {
+double number_at(const NumberInput& input, const SurfaceCoordinates& at) {
     if (!input.texture) return input.value;
-    const TexturePoint point = at_.uv[std::size_t(input.texture->texcoord_set)];
+    const TexturePoint point = at.uv[std::size_t(input.texture->texcoord_set)];
     return input.value * input.texture->eval(point)[std::size_t(input.channel)];
 }
 

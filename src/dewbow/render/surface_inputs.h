@@ -24,12 +24,15 @@ SurfaceCoordinates coordinates_on(const Mesh& mesh, int triangle, double u, doub
 /// On a shape that has coordinates of its own.
 SurfaceCoordinates coordinates_on_chart(double u, double v);
 
+/// `input` at one place.
+double number_at(const NumberInput& input, const SurfaceCoordinates& at);
+
 class SurfaceInputs {
 public:
     /// Both outlive this.
     SurfaceInputs(const SurfaceCoordinates& at, RgbReflectanceLanes& rgb) : at_(at), rgb_(rgb) {}
 
-    double number(const NumberInput& input) const;
+    double number(const NumberInput& input) const { return number_at(input, at_); }
     /// At each lane; 1 for an empty input.
     void colour(const ColourInput& input, const LaneSet& lanes, LaneValues& out) const;
 

@@ -40,6 +40,12 @@ void Tracer::trace_open(OpenPath path) {
             }
         }
         if (path.depth >= settings_.max_depth) return;
+        std::array<int, kMaxLanes> materials;
+        const std::uint32_t at = vertex_key(path.depth, path.branch);
+        for (LaneMask rest = path.active; rest; rest &= rest - 1) {
+            const int k = std::countr_zero(rest);
+            materials[std::size_t(k)] = material_at(path.rays.ray(k), hits[std::size_t(k)], at);
+        }
         // Lanes that meet the same surface in the same way go together.
         for (LaneMask rest = path.active; rest;) {
             const auto first = std::size_t(std::countr_zero(rest));
@@ -49,11 +55,12 @@ void Tracer::trace_open(OpenPath path) {
                 const auto i = std::size_t(k);
                 const bool same = (rest >> k & 1u) && hits[i].shape == hits[first].shape &&
                                   path.media[i] == path.media[first] &&
+                                  materials[i] == materials[first] &&
                                   (dot(path.rays.direction(k), hits[i].normal) < 0.0) == front;
                 group |= LaneMask(same) << k;
             }
             rest &= ~group;
-            open_group(path, group, hits);
+            open_group(path, group, hits, materials[first]);
         }
         ++path.depth;
         if (path.active && !roulette(path.beta, path.lanes.count, path.active, path.depth,
@@ -69,14 +76,11 @@ void Tracer::open_missed(OpenPath& path, int k) {
     path.active &= ~(1u << k);
 }
 
-void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits) {
-    int id = -1;
-    const Material& material = material_at(hits[std::size_t(std::countr_zero(group))],
-                                           vertex_key(path.depth, path.branch), id);
-    const int medium = prepared_.media.interior_of(id);
+void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits, int material_id) {
+    const Material& material = this->material(material_id);
+    const int medium = prepared_.media.interior_of(material_id);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface)) {
-        const auto first = std::size_t(std::countr_zero(group));
-        if (is_rough(*glass, vertex_at(path.rays.ray(int(first)), hits[first])))
+        if (is_rough(*glass))
             open_rough(path, group, hits, *glass, medium);
         else
             open_smooth(path, group, hits, *glass, medium);
@@ -118,7 +122,7 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
         Vec3 n{};  // lanes outside the group are computed along and not used
         if (group >> k & 1u) {
             position[i] = path.rays.origin(k) + path.rays.direction(k) * hits[i].t;
-            n = facing_normal(path.rays.direction(k), hits[i], front);
+            n = facing_normal(path.rays.ray(k), hits[i], front);
         }
         lanes.nx.v[i] = n.x, lanes.ny.v[i] = n.y, lanes.nz.v[i] = n.z;
     }

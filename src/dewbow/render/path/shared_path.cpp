@@ -66,10 +66,10 @@ void Tracer::trace(SharedPath path) {
 /// Takes the path past one surface. False: it ends here.
 bool Tracer::interact(SharedPath& path, const Hit& hit) {
     const Vertex vertex = vertex_at(path.ray, hit);
-    int id = -1;
     const std::uint32_t at =
         vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
-    const Material& material = material_at(hit, at, id);
+    const int id = material_at(path.ray, hit, at);
+    const Material& material = this->material(id);
     if (!result_.hit && path.depth == 0 && path.branch == 0) {
         result_.hit = true;
         result_.normal = dot(vertex.shading, vertex.wo) >= 0.0 ? vertex.shading : -vertex.shading;
@@ -77,9 +77,8 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
         result_.albedo = prepared_.albedo[std::size_t(id)];
     }
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
-        return is_rough(*glass, vertex)
-                   ? rough(path, hit, *glass, prepared_.media.interior_of(id))
-                   : smooth(path, vertex, *glass, prepared_.media.interior_of(id));
+        return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
+                                : smooth(path, vertex, *glass, prepared_.media.interior_of(id));
     if (const auto* m = std::get_if<Mirror>(&material.surface)) return mirror(path, vertex, *m);
     if (const auto* pane = std::get_if<ThinDielectric>(&material.surface))
         return thin(path, vertex, *pane);

@@ -35,20 +35,21 @@ Vertex Tracer::vertex_at(const Ray& ray, const Hit& hit) const {
 }
 
 /// The normal that a smooth boundary turns rays by: on the side that the ray comes from.
-Vec3 Tracer::facing_normal(Vec3 direction, const Hit& hit, bool front) const {
+Vec3 Tracer::facing_normal(const Ray& ray, const Hit& hit, bool front) const {
     if (prepared_.accelerator.flat(hit.shape)) return front ? hit.normal : -hit.normal;
-    return mirror_normal(vertex_at({{}, direction, {}}, hit));
+    return mirror_normal(vertex_at(ray, hit));
 }
 
-const Material& Tracer::material_at(const Hit& hit, std::uint32_t vertex, int& id) const {
-    id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
-    const Material* material = &prepared_.scene.materials[std::size_t(id)];
-    while (const auto* mix = std::get_if<Mix>(&material->surface)) {
-        id = key_.two(vertex, Purpose::bsdf_lobe)[1] < mix->second_share.value ? mix->second
-                                                                               : mix->first;
-        material = &prepared_.scene.materials[std::size_t(id)];
+/// Index of the material that the path meets: of a mix, the part that the random number chooses.
+int Tracer::material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const {
+    int id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
+    while (const auto* mix = std::get_if<Mix>(&material(id).surface)) {
+        const double share = mix->second_share.varies()
+                                 ? number_at(mix->second_share, vertex_at(ray, hit).at)
+                                 : mix->second_share.value;
+        id = key_.two(vertex, Purpose::bsdf_lobe)[1] < share ? mix->second : mix->first;
     }
-    return *material;
+    return id;
 }
 
 Boundary Tracer::boundary_at(MediaStack media, bool front, int id) const {
@@ -106,12 +107,6 @@ void Tracer::tint_open(const ColourInput& tint, OpenPath& path, LaneMask mask,
         }
         path.beta[k] *= factor[k];
     }
-}
-
-/// A texture may leave a part of a rough surface smooth, and so within the precision of
-/// microfacets.
-bool Tracer::is_rough(const Dielectric& glass, const Vertex& vertex) {
-    return inputs_at(vertex).number(glass.roughness) > 0.0;
 }
 
 /// Russian roulette on the lanes in `mask`, all together. False: the path ends.

@@ -119,7 +119,6 @@ private:
     bool thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& pane);
     bool smooth(SharedPath& path, const Vertex& vertex, const Dielectric& glass, int id);
     bool rough(SharedPath& path, const Hit& hit, const Dielectric& glass, int id);
-    bool is_rough(const Dielectric& glass, const Vertex& vertex);
     void split_shared(SharedPath& path, const Vertex& vertex, const Dielectric& glass,
                       const Boundary& boundary, const LaneValues& eta);
     void open_transmitted(const SharedPath& path, const Vertex& vertex, const LaneValues& beta,
@@ -127,7 +126,7 @@ private:
 
     void trace_open(OpenPath path);
     void open_missed(OpenPath& path, int k);
-    void open_group(OpenPath& path, LaneMask group, const HitLanes& hits);
+    void open_group(OpenPath& path, LaneMask group, const HitLanes& hits, int material_id);
     void pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundary);
     void open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits, const Dielectric& glass,
                      int id);
@@ -153,8 +152,9 @@ private:
 
     // Helpers.
     Vertex vertex_at(const Ray& ray, const Hit& hit) const;
-    Vec3 facing_normal(Vec3 direction, const Hit& hit, bool front) const;
-    const Material& material_at(const Hit& hit, std::uint32_t vertex, int& id) const;
+    Vec3 facing_normal(const Ray& ray, const Hit& hit, bool front) const;
+    int material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const;
+    const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
     Boundary boundary_at(MediaStack media, bool front, int id) const;
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
@@ -184,6 +184,10 @@ private:
     std::uint32_t branches_ = 0;
 };
 
+/// A texture may leave parts of a rough surface smooth: they have the least roughness there is.
+inline bool is_rough(const Dielectric& glass) {
+    return glass.roughness.varies() || glass.roughness.value > 0.0;
+}
 inline Vec3 reflected(Vec3 wo, Vec3 normal) { return normal * (2.0 * dot(wo, normal)) - wo; }
 /// The shading normal, unless it would send a mirror ray below the true surface.
 Vec3 mirror_normal(const Vertex& vertex);
