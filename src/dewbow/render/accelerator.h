@@ -13,6 +13,8 @@
 
 namespace dewbow {
 
+struct AcceleratorTree;
+
 class Accelerator {
 public:
     /// @param see_through  one a shape: whether shadow rays ignore it (a boundary that bends
@@ -37,8 +39,7 @@ public:
     bool flat(int shape) const;
 
 private:
-    struct Tree;
-    std::unique_ptr<Tree> tree_;
+    std::unique_ptr<AcceleratorTree> tree_;
 };
 
 /// "Embree 3.13.5 avx2": what the bits of hits depend on.
