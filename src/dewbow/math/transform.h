@@ -55,6 +55,7 @@ public:
     }
     Transform<From, To> inverse() const { return Transform<From, To>(backward_, forward_); }
     const Affine& affine() const { return forward_; }
+    const Affine& inverse_affine() const { return backward_; }
 
     template <class Inner>
     friend Transform<To, Inner> operator*(const Transform& a, const Transform<From, Inner>& b) {

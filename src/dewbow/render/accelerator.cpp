@@ -9,8 +9,8 @@
 
 namespace dewbow {
 
-Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through)
-    : tree_(std::make_unique<AcceleratorTree>(scene, std::move(see_through))) {}
+Accelerator::Accelerator(const Scene& scene, std::vector<bool> see_through, const Opacity* opacity)
+    : tree_(std::make_unique<AcceleratorTree>(scene, std::move(see_through), opacity)) {}
 
 Accelerator::~Accelerator() = default;
 

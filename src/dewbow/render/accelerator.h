@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dewbow/render/opacity.h"
 #include "dewbow/render/ray.h"
 #include "dewbow/scene/scene.h"
 
@@ -18,8 +19,11 @@ struct AcceleratorTree;
 class Accelerator {
 public:
     /// @param see_through  one a shape: whether shadow rays ignore it (a boundary that bends
-    /// nothing).
-    Accelerator(const Scene& scene, std::vector<bool> see_through);
+    /// nothing).  @param opacity  which hits are there in part, or nullptr: all are whole. Hits are
+    /// taken with the probability of their opacity, by rays and shadow rays alike.
+    /// `scene` and `opacity` must outlive this.
+    Accelerator(const Scene& scene, std::vector<bool> see_through,
+                const Opacity* opacity = nullptr);
     ~Accelerator();
     Accelerator(const Accelerator&) = delete;
     Accelerator& operator=(const Accelerator&) = delete;

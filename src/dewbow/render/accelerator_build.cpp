@@ -35,6 +35,7 @@ void AcceleratorTree::add_mesh(const Shape& shape, int index) {
     WorldMesh& world = meshes.emplace_back();
     world.shape = index;
     world.see_through = see_through[std::size_t(index)];
+    world.opacity = opacity_of(index);
     world.triangles = &mesh.triangles;
     std::vector<Vec3> vertices;
     vertices.reserve(mesh.vertices.size());
@@ -49,8 +50,9 @@ void AcceleratorTree::add_mesh(const Shape& shape, int index) {
     }
     if (normals_are_flat(mesh, world)) {
         world.normals.clear();
-        world.solid =
-            ConvexSolid::from_triangles(vertices, mesh.triangles, world.planes, kSamePlane * scale);
+        if (!world.opacity)
+            world.solid = ConvexSolid::from_triangles(vertices, mesh.triangles, world.planes,
+                                                      kSamePlane * scale);
     }
     attach_triangles(mesh, vertices);
 }
@@ -105,8 +107,9 @@ void AcceleratorTree::add_shape(const Shape& shape, int index) {
     }
 }
 
-AcceleratorTree::AcceleratorTree(const Scene& described, std::vector<bool> transparent)
-    : see_through(std::move(transparent)) {
+AcceleratorTree::AcceleratorTree(const Scene& described, std::vector<bool> transparent,
+                                 const Opacity* partly)
+    : see_through(std::move(transparent)), opacity(partly) {
     const std::string config = std::string("isa=") + embree_isa() +
                                (parallel_backend_is_jthread() ? ",threads=1,user_threads=1" : "");
     device = rtcNewDevice(config.c_str());
@@ -121,6 +124,8 @@ AcceleratorTree::AcceleratorTree(const Scene& described, std::vector<bool> trans
         radius = bounds.radius() + 0.01 * scale;
     }
 
+    for (std::size_t i = 0; i < described.shapes.size(); ++i)
+        partly_there.push_back(opacity && opacity->tests(int(i)));
     std::size_t mesh_count = 0;
     for (const Shape& shape : described.shapes) mesh_count += !AnalyticShape::holds(shape.geometry);
     meshes.reserve(mesh_count);  // the callbacks hold pointers into it
@@ -135,6 +140,8 @@ AcceleratorTree::AcceleratorTree(const Scene& described, std::vector<bool> trans
         solids.push_back(convex ? &*meshes[std::size_t(mesh)].solid : nullptr);
     }
     undisturbed = find_undisturbed(described, solids);
+    for (std::size_t i = 0; i < undisturbed.size(); ++i)
+        undisturbed[i] = undisturbed[i] && !partly_there[i];
     rtcCommitScene(scene);
     const RTCError error = rtcGetDeviceError(device);
     DEWBOW_CHECK(error == RTC_ERROR_NONE, "Embree could not build the scene");

@@ -55,6 +55,11 @@ void measure(const RTCFilterFunctionNArguments* args) {
         }
         if (query.way_out) accept = accept && same_shape && slope > 0.0;
         if (kOccluded) accept = accept && !mesh.see_through;
+        if (accept && mesh.opacity)
+            accept = is_there(
+                mesh.opacity->at(mesh.shape, primitive, double(RTCHitN_u(args->hit, args->N, i)),
+                                 double(RTCHitN_v(args->hit, args->N, i))),
+                {rays.origin(int(k)), rays.direction(int(k)), mesh.shape, primitive, slope < 0.0});
         if (!accept)
             args->valid[i] = 0;
         else if (!kOccluded)
@@ -73,13 +78,9 @@ void meet(const AcceleratorTree& tree, RTCIntersectContext* context, unsigned pr
     for (unsigned i = 0; i < n; ++i) {
         if (valid[i] != -1) continue;
         const unsigned k = RTCRayN_id(ray, n, i);
-        const RayLanes& rays = *query.rays;
-        const SurfaceFrom& from = rays.from[k];
         double t = 0.0;
         int face = 0;
-        if (!shape.intersect(rays.origin(int(k)), rays.direction(int(k)), from.shape == index,
-                             from.inward, query.t[k], t, face))
-            continue;
+        if (!tree.meet(shape, index, *query.rays, int(k), query.t[k], t, face)) continue;
         if (kOccluded) {
             RTCRayN_tfar(ray, n, i) = -std::numeric_limits<float>::infinity();
             continue;

@@ -86,14 +86,34 @@ Context make_context(const RayLanes& rays, double limit, double scale, bool cohe
 
 }  // namespace
 
+bool AcceleratorTree::meet(const AnalyticShape& shape, int index, const RayLanes& rays, int k,
+                           double limit, double& t, int& face) const {
+    const SurfaceFrom& from = rays.from[std::size_t(k)];
+    const bool from_here = from.shape == index;
+    const Vec3 origin = rays.origin(k), direction = rays.direction(k);
+    if (!shape.intersect(origin, direction, from_here, from.inward, limit, t, face)) return false;
+    if (!opacity_of(index)) return true;
+    const auto there = [&](Vec3 point, bool inward) {
+        const SurfaceChart at = shape.chart(point, face);
+        return is_there(opacity->at(index, face, at.u, at.v),
+                        {origin, direction, index, face, inward});
+    };
+    const Vec3 near = origin + direction * t;
+    const bool inward = dot(shape.normal(near, face), direction) < 0.0;
+    if (there(near, inward)) return true;
+    // In by a hole. The way out is another place.
+    double rest = 0.0;
+    if (!inward || !shape.intersect(near, direction, true, true, limit - t, rest, face))
+        return false;
+    t += rest;
+    return there(origin + direction * t, false);
+}
+
 void AcceleratorTree::meet_planes(const RayLanes& rays, int k, Hit& hit) const {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         double t = 0.0;
         int face = 0;
-        const SurfaceFrom& from = rays.from[std::size_t(k)];
-        if (!planes[i].intersect(rays.origin(k), rays.direction(k), from.shape == plane_shape[i],
-                                 from.inward, hit.t, t, face))
-            continue;
+        if (!meet(planes[i], plane_shape[i], rays, k, hit.t, t, face)) continue;
         hit.t = t;
         hit.shape = plane_shape[i];
         hit.primitive = 0;
@@ -265,9 +285,7 @@ bool AcceleratorTree::occluded(const Ray& ray, double distance) const {
         double t = 0.0;
         int face = 0;
         const int shape = plane_shape[i];
-        if (!see_through[std::size_t(shape)] &&
-            planes[i].intersect(ray.origin, ray.direction, ray.from.shape == shape, ray.from.inward,
-                                limit, t, face))
+        if (!see_through[std::size_t(shape)] && meet(planes[i], shape, rays, 0, limit, t, face))
             return true;
     }
     Context context = make_context(rays, limit, scale, false);

@@ -11,6 +11,7 @@
 
 #include "dewbow/render/analytic_shape.h"
 #include "dewbow/render/convex_solid.h"
+#include "dewbow/render/opacity.h"
 #include "dewbow/render/ray.h"
 #include "dewbow/scene/scene.h"
 
@@ -36,6 +37,7 @@ inline constexpr double kTouch = 1e-6;
 struct WorldMesh {
     int shape = 0;
     bool see_through = false;
+    const Opacity* opacity = nullptr;  ///< nullptr: opaque everywhere
     std::vector<FacetPlane> planes;
     std::vector<Vec3> normals;  ///< one a vertex, or empty: flat
     std::optional<ConvexSolid> solid;
@@ -61,13 +63,18 @@ struct QueryContext {
 };
 
 struct AcceleratorTree {
-    AcceleratorTree(const Scene& scene, std::vector<bool> see_through);
+    AcceleratorTree(const Scene& scene, std::vector<bool> see_through, const Opacity* opacity);
     ~AcceleratorTree();
     AcceleratorTree(const AcceleratorTree&) = delete;
     AcceleratorTree& operator=(const AcceleratorTree&) = delete;
 
     void intersect(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     bool occluded(const Ray& ray, double distance) const;
+
+    /// Nearest place before `limit` where lane k meets an analytic shape, and it is there. Sets t
+    /// and face.  @param index  of the shape in Scene::shapes.
+    bool meet(const AnalyticShape& shape, int index, const RayLanes& rays, int k, double limit,
+              double& t, int& face) const;
 
     RTCDeviceTy* device = nullptr;
     RTCSceneTy* scene = nullptr;
@@ -83,6 +90,8 @@ struct AcceleratorTree {
     std::vector<int> mesh_of_shape;      // index into meshes, −1 for analytic shapes
     std::vector<int> analytic_of_shape;  // index into analytic, −1 for the others
     std::vector<bool> see_through;
+    const Opacity* opacity = nullptr;
+    std::vector<bool> partly_there;  ///< one a shape: whether to ask `opacity`
     /// One a shape: convex, with nothing else inside, so that rays within it need not ask the tree.
     std::vector<bool> undisturbed;
 
@@ -91,6 +100,9 @@ private:
     void add_mesh(const Shape& shape, int index);
     void attach_triangles(const Mesh& mesh, const std::vector<Vec3>& vertices);
     void attach_analytic();
+    const Opacity* opacity_of(int shape) const {
+        return partly_there[std::size_t(shape)] ? opacity : nullptr;
+    }
 
     LaneMask leave_undisturbed(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
     double start_of(const Ray& ray) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace dewbow {
 
@@ -30,16 +31,52 @@ bool AnalyticShape::holds(const Geometry& geometry) {
     return !std::holds_alternative<std::shared_ptr<const Mesh>>(geometry);
 }
 
+AnalyticShape::Polyhedron AnalyticShape::box_of(const Box& box) {
+    const double x = box.width.to(unit::m), y = box.height.to(unit::m), z = box.depth.to(unit::m);
+    Polyhedron result;
+    const auto add_face = [&](Vec3 normal, double distance, Vec3 right, Vec3 down) {
+        result.faces[std::size_t(result.count++)] = {normal, distance, normal * distance, right,
+                                                     down};
+    };
+    for (const double sign : {-1.0, 1.0}) {
+        add_face({sign, 0, 0}, 0.5 * x, {0, 0, -sign * z}, {0, -y, 0});
+        add_face({0, sign, 0}, 0.5 * y, {x, 0, 0}, {0, 0, sign * z});
+        add_face({0, 0, sign}, 0.5 * z, {sign * x, 0, 0}, {0, -y, 0});
+    }
+    return result;
+}
+
+AnalyticShape::Polyhedron AnalyticShape::prism_of(const Prism& prism) {
+    const PrismSection s = section_of(prism);
+    const double length = prism.length.to(unit::m);
+    Polyhedron result;
+    // A side from the edge `top` down to the edge `bottom`, seen from outside.
+    // A side from the edge `top` down to the edge `bottom`, seen from outside.
+    const auto add_side = [&](Vec3 top, Vec3 bottom, Vec3 right) {
+        const Vec3 n = normalised(cross(bottom - top, right));
+        result.faces[std::size_t(result.count++)] = {n, dot(n, top), 0.5 * (top + bottom),
+                                                     right * length, bottom - top};
+    };
+    add_side(s.apex, s.left, {0, 0, 1});
+    add_side(s.apex, s.right, {0, 0, -1});
+    add_side(s.left, s.right, {0, 0, 1});
+    const Vec3 middle{0, 0.5 * (s.apex.y + s.left.y), 0};
+    for (const double sign : {1.0, -1.0}) {
+        const Vec3 n{0, 0, sign};
+        result.faces[std::size_t(result.count++)] = {n,
+                                                     0.5 * length,
+                                                     middle + n * (0.5 * length),
+                                                     (s.right - s.left) * sign,
+                                                     {0, s.left.y - s.apex.y, 0}};
+    }
+    return result;
+}
+
 AnalyticShape::AnalyticShape(const Shape& shape, double contact)
     : contact_(contact *
-               std::cbrt(std::abs(shape.world_from_object.inverse().affine().determinant()))),
-      object_from_world_(shape.world_from_object.inverse().affine()),
+               std::cbrt(std::abs(shape.world_from_object.inverse_affine().determinant()))),
       world_from_object_(shape.world_from_object) {
     using unit::m;
-    const auto add_face = [this](Vec3 normal, Vec3 point) {
-        const Vec3 n = normalised(normal);
-        faces_[std::size_t(face_count_++)] = {n, dot(n, point)};
-    };
     if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
         kind_ = Kind::sphere;
         radius_ = sphere->radius.to(m);
@@ -52,28 +89,17 @@ AnalyticShape::AnalyticShape(const Shape& shape, double contact)
         half_height_ = 0.5 * rectangle->height.to(m);
     } else if (const auto* box = std::get_if<Box>(&shape.geometry)) {
         kind_ = Kind::polyhedron;
-        const Vec3 half = 0.5 * Vec3{box->width.to(m), box->height.to(m), box->depth.to(m)};
-        for (const double sign : {-1.0, 1.0}) {
-            add_face({sign, 0, 0}, {sign * half.x, 0, 0});
-            add_face({0, sign, 0}, {0, sign * half.y, 0});
-            add_face({0, 0, sign}, {0, 0, sign * half.z});
-        }
+        polyhedron_ = std::make_shared<const Polyhedron>(box_of(*box));
     } else if (const auto* prism = std::get_if<Prism>(&shape.geometry)) {
         kind_ = Kind::polyhedron;
-        const PrismSection s = section_of(*prism);
-        const Vec3 z{0, 0, 1};
-        add_face(cross(s.left - s.apex, z), s.apex);
-        add_face(cross(s.apex - s.right, z), s.apex);
-        add_face(cross(s.right - s.left, z), s.left);
-        add_face(z, z * (0.5 * prism->length.to(m)));
-        add_face(-z, z * (-0.5 * prism->length.to(m)));
+        polyhedron_ = std::make_shared<const Polyhedron>(prism_of(*prism));
     }
 }
 
 bool AnalyticShape::intersect(Vec3 origin, Vec3 direction, bool from_here, bool inward,
                               double t_max, double& t, int& primitive) const {
-    const Vec3 o = object_from_world_.apply(origin);
-    const Vec3 d = object_from_world_.apply_linear(direction);
+    const Vec3 o = world_from_object_.inverse_affine().apply(origin);
+    const Vec3 d = world_from_object_.inverse_affine().apply_linear(direction);
     primitive = 0;
     if (kind_ == Kind::sphere) return intersect_sphere(o, d, from_here, inward, t_max, t);
     if (kind_ == Kind::polyhedron)
@@ -122,8 +148,8 @@ bool AnalyticShape::intersect_polyhedron(Vec3 o, Vec3 d, bool from_here, bool in
     if (from_here && !inward) return false;
     double t_in = -kInfinity, t_out = kInfinity, height_in = 0.0;
     int face_in = -1, face_out = -1;
-    for (int i = 0; i < face_count_; ++i) {
-        const Face& plane = faces_[std::size_t(i)];
+    for (int i = 0; i < polyhedron_->count; ++i) {
+        const Face& plane = polyhedron_->faces[std::size_t(i)];
         const double slope = dot(plane.normal, d);
         const double height = plane.distance - dot(plane.normal, o);  // > 0 inside
         if (slope == 0.0) {
@@ -149,9 +175,50 @@ bool AnalyticShape::intersect_polyhedron(Vec3 o, Vec3 d, bool from_here, bool in
 
 Vec3 AnalyticShape::normal(Vec3 world_point, int primitive) const {
     Vec3 n{0, 0, 1};
-    if (kind_ == Kind::sphere) n = object_from_world_.apply(world_point) / radius_;
-    if (kind_ == Kind::polyhedron) n = faces_[std::size_t(primitive)].normal;
+    if (kind_ == Kind::sphere) n = world_from_object_.inverse_affine().apply(world_point) / radius_;
+    if (kind_ == Kind::polyhedron) n = polyhedron_->faces[std::size_t(primitive)].normal;
     return world_from_object_(Normal<Object>{n}).v;
+}
+
+/// Longitude from −z round by +x, and the angle from +y, of a sphere around the origin.
+SurfaceChart AnalyticShape::chart_of_sphere(Vec3 p) const {
+    constexpr double kPi = std::numbers::pi;
+    const double ring = std::hypot(p.x, p.z);
+    const double sine = ring > 0.0 ? p.x / ring : 0.0, cosine = ring > 0.0 ? p.z / ring : 1.0;
+    return {0.5 + std::atan2(p.x, p.z) / (2.0 * kPi), std::atan2(ring, p.y) / kPi,
+            Vec3{p.z, 0, -p.x} * (2.0 * kPi), Vec3{p.y * sine, -ring, p.y * cosine} * kPi};
+}
+
+SurfaceChart AnalyticShape::chart(Vec3 world_point, int primitive) const {
+    const Vec3 p = world_from_object_.inverse_affine().apply(world_point);
+    const auto flat = [&](Vec3 centre, Vec3 right, Vec3 down) {
+        const Vec3 from_centre = p - centre;
+        return SurfaceChart{0.5 + dot(from_centre, right) / dot(right, right),
+                            0.5 + dot(from_centre, down) / dot(down, down), right, down};
+    };
+    SurfaceChart result;
+    switch (kind_) {
+        case Kind::sphere:
+            result = chart_of_sphere(p);
+            break;
+        case Kind::disc:
+            result = flat({}, {2.0 * radius_, 0, 0}, {0, -2.0 * radius_, 0});
+            break;
+        case Kind::rectangle:
+            result = flat({}, {2.0 * half_width_, 0, 0}, {0, -2.0 * half_height_, 0});
+            break;
+        case Kind::polyhedron: {
+            const Face& face = polyhedron_->faces[std::size_t(primitive)];
+            result = flat(face.centre, face.right, face.down);
+            break;
+        }
+        case Kind::plane:
+            result = {p.x, -p.y, {1, 0, 0}, {0, -1, 0}};
+            break;
+    }
+    result.du = world_from_object_.affine().apply_linear(result.du);
+    result.dv = world_from_object_.affine().apply_linear(result.dv);
+    return result;
 }
 
 std::vector<std::array<Vec3, 3>> triangles_of(const Box& box) {

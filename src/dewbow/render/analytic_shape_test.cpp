@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
 #include <type_traits>
 
 #include "dewbow/base/random.h"
@@ -157,6 +159,76 @@ TEST(AnalyticShape, TrianglesCloseTheBody) {
     check(triangles_of(Box{1.0 * m, 2.0 * m, 3.0 * m}), 6.0, 22.0);
     const double section = std::sqrt(3.0);  // of an equilateral triangle with side 2
     check(triangles_of(Prism{60.0 * deg, 2.0 * m, 5.0 * m}), 5.0 * section, 2.0 * section + 30.0);
+}
+
+/// Coordinates on surfaces against closed forms: pictures stand upright, seen from outside.
+TEST(AnalyticShape, ChartsShowPicturesUprightFromOutside) {
+    constexpr double kStep = 1e-6, kCurved = 1e-9;  // error of central differences: step²
+    std::vector<Body> all = bodies();
+    all.push_back({"disc", shape_of(Disc{2.0 * m}), nullptr});
+    all.push_back({"rectangle", shape_of(Rectangle{2.0 * m, 3.0 * m}), nullptr});
+    all.push_back({"plane", shape_of(Plane{}), nullptr});
+    for (const Body& body : all) {
+        SCOPED_TRACE(body.name);
+        const AnalyticShape shape = analytic(body.shape);
+        const bool mirrored = body.shape.world_from_object.affine().determinant() < 0.0;
+        std::set<int> faces;
+        for (std::uint32_t i = 0; i < 3000; ++i) {
+            const SampleKey key(9, i);
+            const auto a = key.two(0, Purpose::test), b = key.two(1, Purpose::test);
+            const Vec3 o = 5.0 * sample_uniform_sphere<World>(a[0], a[1]).v;
+            const Vec3 target = 0.5 * sample_uniform_sphere<World>(b[0], b[1]).v;
+            const Vec3 d = normalised(target - o);
+            double t = 0.0;
+            int face = 0;
+            if (!shape.intersect(o, d, false, false, 100.0, t, face)) continue;
+            faces.insert(face);
+            const Vec3 p = o + d * t, n = shape.normal(p, face);
+            const SurfaceChart at = shape.chart(p, face);
+            if (!shape.infinite()) {
+                ASSERT_TRUE(at.u >= 0.0 && at.u <= 1.0 && at.v >= 0.0 && at.v <= 1.0);
+            }
+            // To the right times up is outwards, and both lie in the surface.
+            ASSERT_GT(dot(cross(at.du, -at.dv), n) * (mirrored ? -1.0 : 1.0), 0.0);
+            ASSERT_NEAR(dot(at.du, n), 0.0, 1e-12 * length(at.du));
+            ASSERT_NEAR(dot(at.dv, n), 0.0, 1e-12 * length(at.dv));
+            // Going along du changes u alone, and by as much.
+            const Vec3 step_u = at.du * kStep, step_v = at.dv * kStep;
+            const SurfaceChart right = shape.chart(p + step_u, face),
+                               left = shape.chart(p - step_u, face);
+            const SurfaceChart down = shape.chart(p + step_v, face),
+                               up = shape.chart(p - step_v, face);
+            if (std::abs(at.u - 0.5) > 0.49) continue;  // across the seam
+            ASSERT_NEAR(right.u - left.u, 2.0 * kStep, kCurved);
+            ASSERT_NEAR(right.v - left.v, 0.0, kCurved);
+            ASSERT_NEAR(down.u - up.u, 0.0, kCurved);
+            ASSERT_NEAR(down.v - up.v, 2.0 * kStep, kCurved);
+        }
+        EXPECT_EQ(faces.size(), body.name == std::string("box")     ? 6u
+                                : body.name == std::string("prism") ? 5u
+                                                                    : 1u);
+    }
+}
+
+TEST(AnalyticShape, ChartsBeginWhereTheConventionsSay) {
+    const auto expect = [](Geometry geometry, Vec3 p, int face, double u, double v) {
+        const SurfaceChart at = analytic(shape_of(std::move(geometry), {})).chart(p, face);
+        EXPECT_NEAR(at.u, u, kOnSurface);
+        EXPECT_NEAR(at.v, v, kOnSurface);
+    };
+    expect(Rectangle{2.0 * m, 4.0 * m}, {-1, 2, 0}, 0, 0.0, 0.0);  // the upper left corner
+    expect(Disc{2.0 * m}, {2, 0, 0}, 0, 1.0, 0.5);
+    expect(Plane{}, {3.5, 2, 0}, 0, 3.5, -2.0);
+    expect(Sphere{2.0 * m}, {0, 0, 2}, 0, 0.5, 0.5);  // the middle faces +z
+    expect(Sphere{2.0 * m}, {2, 0, 0}, 0, 0.75, 0.5);
+    expect(Sphere{2.0 * m}, {0, 2, 0}, 0, 0.5, 0.0);
+    expect(Box{2.0 * m, 4.0 * m, 6.0 * m}, {1, 2, 3}, 3, 0.0, 0.0);    // +x: left is the front
+    expect(Box{2.0 * m, 4.0 * m, 6.0 * m}, {-1, 2, -3}, 4, 0.0, 0.0);  // +y: the top is behind
+    expect(Box{2.0 * m, 4.0 * m, 6.0 * m}, {-1, 2, 3}, 5, 0.0, 0.0);   // +z
+    const double apex = 2.0 / 3.0 * std::sqrt(3.0);  // of an equilateral cross-section of side 2
+    expect(Prism{60.0 * deg, 2.0 * m, 1.0 * m}, {0, apex, -0.5}, 0, 0.0, 0.0);
+    expect(Prism{60.0 * deg, 2.0 * m, 1.0 * m}, {0, apex, 0.5}, 1, 0.0, 0.0);
+    expect(Prism{60.0 * deg, 2.0 * m, 1.0 * m}, {0, apex, 0.5}, 3, 0.5, 0.0);
 }
 
 }  // namespace
