@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "dewbow/base/error.h"
+#include "dewbow/base/named.h"
 #include "dewbow/base/parse_number.h"
 #include "dewbow/optics/embedded_data.h"
+#include "dewbow/spectrum/csv_table.h"
 
 namespace dewbow {
 namespace {
@@ -40,26 +42,6 @@ struct Row {
         return InputError({kFileName, line, 0, {}}, sentence, std::string(text));
     }
 };
-
-/// The fields of one line of CSV; within quotes commas are text and "" is a quote. [RFC 4180]
-std::vector<std::string> csv_fields(std::string_view line) {
-    std::vector<std::string> fields(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-            fields.back() += '"';
-            ++i;
-        } else if (c == '"') {
-            quoted = !quoted;
-        } else if (c == ',' && !quoted) {
-            fields.emplace_back();
-        } else {
-            fields.back() += c;
-        }
-    }
-    return fields;
-}
 
 double number(const Row& row, std::string_view text) {
     if (const auto value = parse_number<double>(text)) return *value;
@@ -120,55 +102,6 @@ std::vector<Glass> glasses_from(std::string_view text) {
     return glasses;
 }
 
-// ---- names ----
-
-/// What of a name counts: letters in lower case, digits and the slash.
-std::string folded(std::string_view name) {
-    std::string result;
-    for (const char c : name) {
-        if (c == '-' || c == ' ' || c == '_') continue;
-        result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return result;
-}
-
-std::string without_maker(const std::string& name) { return name.substr(name.find('/') + 1); }
-
-/// The glasses that `name` can mean: the one of that full name, or all with it after the slash.
-std::vector<const Glass*> glasses_named(std::string_view name) {
-    const std::string wanted = folded(name);
-    std::vector<const Glass*> found;
-    for (const Glass& glass : glass_catalogue()) {
-        if (folded(glass.name) == wanted) return {&glass};
-        if (folded(without_maker(glass.name)) == wanted) found.push_back(&glass);
-    }
-    return found;
-}
-
-std::string full_names(const std::vector<const Glass*>& glasses) {
-    std::string names;
-    for (const Glass* glass : glasses) names += (names.empty() ? "" : ", ") + glass->name;
-    return names;
-}
-
-/// "did you mean schott/F2?": nearest among the full names if a maker was given, among the rest if
-/// not.
-std::string hint_for_glass(std::string_view name) {
-    const bool has_maker = name.find('/') != std::string_view::npos;
-    std::vector<std::string> candidates;
-    std::vector<const Glass*> all;
-    for (const Glass& glass : glass_catalogue()) {
-        candidates.push_back(has_maker ? glass.name : without_maker(glass.name));
-        all.push_back(&glass);
-    }
-    std::string nearest = nearest_word(name, candidates);
-    if (nearest.empty() && has_maker)  // a maker that is not here, of a glass that is
-        nearest = without_maker(std::string(name));
-    const auto meant = nearest.empty() ? std::vector<const Glass*>{} : glasses_named(nearest);
-    if (!meant.empty()) return fmt::format("did you mean {}?", full_names(meant));
-    return fmt::format("known are {}", full_names(all));
-}
-
 }  // namespace
 
 std::span<const Glass> glass_catalogue() {
@@ -177,12 +110,12 @@ std::span<const Glass> glass_catalogue() {
 }
 
 const Glass& find_glass(std::string_view name) {
-    const auto found = glasses_named(name);
-    if (found.size() == 1) return *found.front();
-    if (found.empty())
-        throw InputError(fmt::format("unknown glass \"{}\"", name), hint_for_glass(name));
-    throw InputError(fmt::format("glass \"{}\" is ambiguous", name),
-                     fmt::format("write one of {}", full_names(found)));
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Glass& glass : glass_catalogue()) all.push_back(glass.name);
+        return all;
+    }();
+    return glass_catalogue()[find_named("glass", name, names)];
 }
 
 }  // namespace dewbow

@@ -1,54 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/spectrum/illuminant.h"
 
-#include <array>
 #include <cmath>
 
 #include "dewbow/base/error.h"
-#include "dewbow/spectrum/cie.h"
-#include "dewbow/spectrum/csv_table.h"
-#include "dewbow/spectrum/embedded_data.h"
+#include "dewbow/spectrum/as_bright_as_one.h"
+#include "dewbow/spectrum/lamp.h"
 
 namespace dewbow {
 namespace {
 
-struct IlluminantRow {
-    std::string_view name;
-    std::string_view (*table)();
-};
-constexpr std::array kIlluminantTables{
-    IlluminantRow{"D65", spectrum::data::cie_d65_1nm_csv},
-    IlluminantRow{"A", spectrum::data::cie_a_1nm_csv},
-    IlluminantRow{"B", spectrum::data::cie_b_5nm_csv},
-    IlluminantRow{"C", spectrum::data::cie_c_5nm_csv},
-};
-
-/// Values of `lambda_nm` and `value`, scaled so that Y is that of the constant spectrum 1.
-SpectrumPtr make_normalised(const std::vector<double>& lambda_nm, std::vector<double> value) {
-    const double y = xyz_from_spectrum(*make_tabulated(lambda_nm, value, OutsideTable::hold))[1];
-    for (double& v : value) v *= cie_y_integral() / y;
-    return make_tabulated(lambda_nm, std::move(value), OutsideTable::hold);
-}
-
-struct NamedSpectrum {
-    std::string_view name;
-    SpectrumPtr spectrum;
-};
-
-std::vector<NamedSpectrum> load_illuminants() {
-    std::vector<NamedSpectrum> loaded;
-    for (const IlluminantRow& row : kIlluminantTables) {
-        auto columns = columns_of_csv(row.table());
-        loaded.push_back({row.name, make_normalised(columns.at(0), std::move(columns.at(1)))});
-    }
-    loaded.push_back({"E", make_constant(1.0)});
-    return loaded;
-}
-
-const std::vector<NamedSpectrum>& illuminants() {
-    static const std::vector<NamedSpectrum> kIlluminants = load_illuminants();
-    return kIlluminants;
-}
+constexpr std::string_view kGroup = "illuminant/";
 
 // CODATA 2018, exact by the definition of the SI.
 constexpr double kPlanck_J_s = 6.62607015e-34;
@@ -65,15 +27,18 @@ constexpr double kBlackbodyStep_nm = 0.25;
 }  // namespace
 
 SpectrumPtr find_illuminant(std::string_view name) {
-    for (const NamedSpectrum& illuminant : illuminants()) {
-        if (illuminant.name == name) return illuminant.spectrum;
+    for (const Lamp& lamp : lamp_catalogue()) {
+        const std::string_view full = lamp.name;
+        if (full.starts_with(kGroup) && full.substr(kGroup.size()) == name) return lamp.spectrum;
     }
     return nullptr;
 }
 
 std::vector<std::string> illuminant_names() {
     std::vector<std::string> names;
-    for (const NamedSpectrum& illuminant : illuminants()) names.emplace_back(illuminant.name);
+    for (const Lamp& lamp : lamp_catalogue()) {
+        if (lamp.name.starts_with(kGroup)) names.push_back(lamp.name.substr(kGroup.size()));
+    }
     return names;
 }
 
@@ -100,7 +65,7 @@ SpectrumPtr make_blackbody(Temperature temperature) {
         const auto radiance = planck_radiance(temperature, lambda_nm.back() * unit::nm);
         value.push_back(radiance.to(unit::W_per_m2_sr_nm));
     }
-    return make_normalised(lambda_nm, std::move(value));
+    return tabulated_as_bright_as_one(lambda_nm, std::move(value));
 }
 
 }  // namespace dewbow

@@ -11,8 +11,9 @@
 
 namespace dewbow {
 
-/// "D65", "A", "B", "C" or "E", scaled so that Y = cie_y_integral() — a relative spectrum as bright
-/// as the constant 1; or nullptr for a name that is none of illuminant_names().
+/// An illuminant of the CIE ("D65", "A", "E", "FL2", "HP1", "LED-B3"…), scaled so that
+/// Y = cie_y_integral() — a relative spectrum as bright as the constant 1; or nullptr for a name
+/// that is none of illuminant_names(). lamp.h has them with their sources.
 SpectrumPtr find_illuminant(std::string_view name);
 std::vector<std::string> illuminant_names();
 

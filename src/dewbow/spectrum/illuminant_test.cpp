@@ -56,8 +56,13 @@ TEST(Illuminants, AreAsBrightAsOne) {
 }
 
 TEST(Illuminants, AreFoundByNameOnly) {
-    EXPECT_EQ(illuminant_names(), (std::vector<std::string>{"D65", "A", "B", "C", "E"}));
-    EXPECT_EQ(find_illuminant("D50"), nullptr);
+    const std::vector<std::string> names = illuminant_names();
+    for (const char* name :
+         {"D50", "D55", "D65", "D75", "A", "B", "C", "E", "FL12", "FL3.15", "HP5", "LED-RGB1"}) {
+        EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+    }
+    EXPECT_EQ(find_illuminant("D60"), nullptr);
+    EXPECT_EQ(find_illuminant("cool-white"), nullptr) << "a lamp";
     EXPECT_EQ(find_illuminant(""), nullptr);
     EXPECT_TRUE(find_illuminant("E")->is_constant());
 }
