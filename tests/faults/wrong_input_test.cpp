@@ -324,8 +324,10 @@ TEST(WrongInput, SceneWords) {
         scene("light", "[[lights]]\ntype = §\"sun\"\n", {"\"sun\"", "point, spot, distant"}),
         scene("glass", "[materials.a]\ntype = \"glass\"\nglass = §\"schott/N-BK8\"\n",
               {"unknown glass \"schott/N-BK8\"", "did you mean schott/N-BK7?"}),
-        scene("illuminant", "[materials.a]\ntype = \"black\"\nemission = §\"D56\"\n",
-              {"did you mean \"D65\"?"}),
+        scene("illuminant", "[materials.a]\ntype = \"black\"\nemission = §\"D66\"\n",
+              {"unknown lamp \"D66\"", "did you mean illuminant/D65?"}),
+        scene("lamp", "[materials.a]\ntype = \"black\"\nemission = {lamp = §\"led/cool-wite\"}\n",
+              {"unknown lamp \"led/cool-wite\"", "did you mean led/cool-white?"}),
         scene("camera of no import", "[camera]\nfrom = §\"ring\"\n",
               {"there is no import \"ring\""}),
     });

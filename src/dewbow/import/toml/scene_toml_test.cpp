@@ -8,6 +8,7 @@
 
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/illuminant.h"
+#include "dewbow/spectrum/lamp.h"
 
 namespace dewbow {
 namespace {
@@ -186,6 +187,10 @@ TEST(SceneTomlSpectra, OfLight) {
     EXPECT_NEAR(at(emission("\"D65\""), 560), at(find_illuminant("D65"), 560), kRounding);
     EXPECT_NEAR(at(emission("{illuminant = \"A\", scale = 3}"), 560),
                 3 * at(find_illuminant("A"), 560), kRounding);
+    EXPECT_EQ(at(emission("\"led/cool-white\""), 560),
+              at(find_lamp("led/cool-white").spectrum, 560));
+    EXPECT_NEAR(at(emission("{lamp = \"HeNe\", scale = 5}"), 633),
+                5 * at(find_lamp("laser/hene").spectrum, 633), kRounding);
     EXPECT_NEAR(at(emission("{blackbody_K = 3200, scale = 2}"), 560),
                 2 * at(make_blackbody(3200.0 * unit::K), 560), kRounding);
     const auto table = emission("{lambda_nm = [500, 600], values = [1, 3]}");
@@ -205,6 +210,8 @@ TEST(SceneTomlSpectra, PhotometricSizes) {
         kLuminousEfficacy *
         xyz_from_spectrum(*emission("{illuminant = \"A\", luminance_cd_m2 = 500}"))[1];
     EXPECT_NEAR(luminance, 500.0, 1e-6);
+    const auto sodium = emission("{lamp = \"lamp/sodium-low-pressure\", luminance_cd_m2 = 80}");
+    EXPECT_NEAR(kLuminousEfficacy * xyz_from_spectrum(*sodium)[1], 80.0, 1e-9);
     const ParsedScene parsed = parse(R"(
         [[lights]]
         type = "distant"

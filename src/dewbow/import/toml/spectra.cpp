@@ -6,6 +6,7 @@
 #include "dewbow/import/toml/table.h"
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/illuminant.h"
+#include "dewbow/spectrum/lamp.h"
 #include "dewbow/spectrum/rgb.h"
 
 namespace dewbow::toml_import {
@@ -41,6 +42,11 @@ SpectrumPtr illuminant_of(const TomlDocument& document, const TomlValue& value) 
     return find_illuminant(names[read_choice(document, value, "illuminant", names)]);
 }
 
+SpectrumPtr lamp_of(const TomlDocument& document, const TomlValue& value, std::string_view key) {
+    const std::string& name = read_text(document, value, key);
+    return at_place(document, value.place, [&] { return find_lamp(name).spectrum; });
+}
+
 SpectrumPtr tabulated_of(Table& table, const TomlValue& lambdas, SpectrumUse use) {
     const TomlDocument& document = table.document();
     std::vector<double> lambda_nm = read_numbers(document, lambdas, "lambda_nm", kTableWavelengths);
@@ -73,6 +79,7 @@ SpectrumPtr lines_of(Table& table, const TomlValue& centres_value) {
 SpectrumPtr light_of(Table& table) {
     const TomlDocument& document = table.document();
     if (const TomlValue* name = table.find("illuminant")) return illuminant_of(document, *name);
+    if (const TomlValue* name = table.find("lamp")) return lamp_of(document, *name, "lamp");
     if (const TomlValue* kelvin = table.find("blackbody_K")) {
         return make_blackbody(read_number(document, *kelvin, "blackbody_K", kBlackbodyRange) *
                               unit::K);
@@ -113,7 +120,7 @@ SpectrumPtr spectrum_of_table(const TomlDocument& document, const TomlValue& val
     SpectrumPtr spectrum;
     if (use != SpectrumUse::share) table.find("scale");  // read below
     if (is_light(use)) {
-        table.at_most_one_of({"rgb", "illuminant", "blackbody_K", "lambda_nm", "lines_nm"});
+        table.at_most_one_of({"rgb", "illuminant", "lamp", "blackbody_K", "lambda_nm", "lines_nm"});
         spectrum = light_of(table);
     }
     if (!spectrum) {
@@ -126,9 +133,10 @@ SpectrumPtr spectrum_of_table(const TomlDocument& document, const TomlValue& val
             spectrum = spectrum_of_rgb(document, *rgb, "rgb", use);
         } else {
             table.finish();
-            table.fail_here(is_light(use)
-                                ? "needs one of rgb, illuminant, blackbody_K, lambda_nm, lines_nm"
-                                : "needs lambda_nm and values, or rgb");
+            table.fail_here(
+                is_light(use)
+                    ? "needs one of rgb, illuminant, lamp, blackbody_K, lambda_nm, lines_nm"
+                    : "needs lambda_nm and values, or rgb");
         }
     }
     if (use != SpectrumUse::share) spectrum = scaled(table, std::move(spectrum), use);
@@ -142,7 +150,7 @@ SpectrumPtr read_spectrum(const TomlDocument& document, const TomlValue& value,
                           std::string_view name, SpectrumUse use) {
     if (value.table()) return spectrum_of_table(document, value, name, use);
     if (value.array()) return spectrum_of_rgb(document, value, name, use);
-    if (value.text() && is_light(use)) return illuminant_of(document, value);
+    if (value.text() && is_light(use)) return lamp_of(document, value, name);
     return make_constant(read_number(document, value, name, range_of(use)));
 }
 
