@@ -159,47 +159,50 @@ double strength_at(const std::string& lamp, double nm) {
 TEST(Lamps, ShineAtTheLinesOfTheirGas) {
     struct Strong {
         const char* lamp;
-        double air_nm;  ///< NIST Handbook of Basic Atomic Spectroscopic Data, persistent lines
+        double air_nm;      ///< NIST Handbook of Basic Atomic Spectroscopic Data, persistent lines
+        bool alone = true;  ///< no other box touches it
     };
-    constexpr Strong kLines[] = {{"helium", 388.8648},
-                                 {"helium", 447.1479},
-                                 {"helium", 501.5678},
-                                 {"helium", 587.5621},
-                                 {"helium", 667.8151},
-                                 {"helium", 706.5190},
-                                 {"neon", 585.24879},
-                                 {"neon", 614.30626},
-                                 {"neon", 640.2248},
-                                 {"neon", 703.24131},
-                                 {"hydrogen", 656.2819},
-                                 {"hydrogen", 486.1333},
-                                 {"hydrogen", 434.0471},
-                                 {"cadmium", 508.5822},
-                                 {"cadmium", 643.8470},
-                                 {"krypton", 557.0289},
-                                 {"krypton", 587.0916},
-                                 {"mercury-low-pressure", 404.6563},
-                                 {"mercury-low-pressure", 435.8328},
-                                 {"mercury-low-pressure", 546.0735},
-                                 {"mercury-low-pressure", 576.9598},
-                                 {"sodium-low-pressure", 588.9950},
-                                 {"hene", 632.8164},
-                                 {"hene-green", 543.3650},
-                                 {"argon-488", 487.9864},
-                                 {"argon-514", 514.5308},
-                                 {"hecd-442", 441.5630}};
-    constexpr double kHalfWidth_nm = 1.0, kWavelength_nm = 0.02;
+    constexpr Strong kLines[] = {
+        {"helium", 388.8648},
+        {"helium", 447.1479},
+        {"helium", 501.5678},
+        {"helium", 587.5621},
+        {"helium", 667.8151},
+        {"helium", 706.5190, false},
+        {"neon", 585.24879},
+        {"neon", 614.30626, false},
+        {"neon", 640.2248, false},
+        {"neon", 703.24131, false},
+        {"hydrogen", 656.2819},
+        {"hydrogen", 486.1333},
+        {"hydrogen", 434.0471},
+        {"cadmium", 508.5822},
+        {"cadmium", 643.8470},
+        {"krypton", 557.0289, false},
+        {"krypton", 587.0916},
+        {"mercury-low-pressure", 404.6563},
+        {"mercury-low-pressure", 435.8328, false},
+        {"mercury-low-pressure", 546.0735},
+        {"mercury-low-pressure", 576.9598},
+        {"sodium-low-pressure", 588.9950, false},
+        {"hene", 632.8164},
+        {"hene-green", 543.3650},
+        {"argon-488", 487.9864},
+        {"argon-514", 514.5308},
+        {"hecd-442", 441.5630},
+    };
+    constexpr double kHalfWidth_nm = 1.0;
+    constexpr double kWavelength_nm = 0.02;  // fine structure of hydrogen, 0.016 nm
+    constexpr double kFaint = 0.03;          // the fainter ones are this part of the strongest
     for (const Strong& line : kLines) {
         const double nm = vacuum_nm(line.air_nm);
-        EXPECT_GT(strength_at(line.lamp, nm), 0.03) << line.lamp << " at " << nm;
-        // The box ends where a box about this wavelength must, unless another line is near.
-        if (std::string(line.lamp).find('-') == std::string::npos) continue;
-        if (std::string(line.lamp).starts_with("mercury")) continue;
-        if (std::string(line.lamp).starts_with("sodium")) continue;
-        EXPECT_GT(strength_at(line.lamp, nm - kHalfWidth_nm + kWavelength_nm), 0.03) << line.lamp;
-        EXPECT_EQ(strength_at(line.lamp, nm - kHalfWidth_nm - kWavelength_nm), 0.0) << line.lamp;
-        EXPECT_GT(strength_at(line.lamp, nm + kHalfWidth_nm - kWavelength_nm), 0.03) << line.lamp;
-        EXPECT_EQ(strength_at(line.lamp, nm + kHalfWidth_nm + kWavelength_nm), 0.0) << line.lamp;
+        const auto strength = [&](double from_nm) { return strength_at(line.lamp, nm + from_nm); };
+        EXPECT_GT(strength(0.0), kFaint) << line.lamp << " at " << nm;
+        EXPECT_GT(strength(-kHalfWidth_nm + kWavelength_nm), kFaint) << line.lamp << " at " << nm;
+        EXPECT_GT(strength(kHalfWidth_nm - kWavelength_nm), kFaint) << line.lamp << " at " << nm;
+        if (!line.alone) continue;
+        EXPECT_EQ(strength(-kHalfWidth_nm - kWavelength_nm), 0.0) << line.lamp << " at " << nm;
+        EXPECT_EQ(strength(kHalfWidth_nm + kWavelength_nm), 0.0) << line.lamp << " at " << nm;
     }
 }
 
