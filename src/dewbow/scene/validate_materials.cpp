@@ -56,6 +56,10 @@ struct CheckSurface {
         const Material &first = scene.materials[std::size_t(s.first)],
                        &second = scene.materials[std::size_t(s.second)];
         for (const Material* part : {&first, &second})
+            if (part->coverage)
+                fail(who, fmt::format("its part \"{}\" is covered in part; let the mix be so",
+                                      part->name));
+        for (const Material* part : {&first, &second})
             if (part->gives_light())
                 fail(who,
                      fmt::format("its part \"{}\" gives off light; let the mix do so", part->name));

@@ -56,7 +56,8 @@ PreparedScene::PreparedScene(const Scene& s)
       scene(s),
       media(s),
       see_through(see_through_shapes(s)),
-      accelerator(s, see_through),
+      opacity(s),
+      accelerator(s, see_through, &opacity),
       lights(s),
       camera(s) {
     camera_media = media_at(camera.position(), scene, media, accelerator);

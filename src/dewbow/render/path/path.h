@@ -10,6 +10,7 @@
 #include "dewbow/render/estimator.h"
 #include "dewbow/render/light_set.h"
 #include "dewbow/render/media.h"
+#include "dewbow/render/scene_opacity.h"
 
 namespace dewbow {
 
@@ -22,6 +23,7 @@ struct PreparedScene {
     const Scene& scene;
     MediaTable media;
     std::vector<bool> see_through;  ///< one a shape: see_through_shapes
+    SceneOpacity opacity;
     Accelerator accelerator;
     LightSet lights;
     CameraRays camera;
