@@ -3,8 +3,6 @@
 
 #include <embree3/rtcore.h>
 
-#include <cmath>
-
 #include "dewbow/render/accelerator_tree.h"
 
 namespace dewbow {
@@ -29,23 +27,6 @@ void Accelerator::intersect(const RayLanes& rays, LaneMask mask, HitLanes& hits)
 
 bool Accelerator::occluded(const Ray& ray, double distance) const {
     return tree_->occluded(ray, distance);
-}
-
-Vec3 Accelerator::shading_normal(const Hit& hit) const {
-    if (flat(hit.shape)) return hit.normal;
-    const WorldMesh& mesh =
-        tree_->meshes[std::size_t(tree_->mesh_of_shape[std::size_t(hit.shape)])];
-    const auto& [a, b, c] = (*mesh.triangles)[std::size_t(hit.primitive)];
-    const Vec3 n =
-        mesh.normals[a] * (1.0 - hit.u - hit.v) + mesh.normals[b] * hit.u + mesh.normals[c] * hit.v;
-    const double squared = dot(n, n);
-    if (!(squared > 0.0) || dot(n, hit.normal) <= 0.0) return hit.normal;
-    return n / std::sqrt(squared);
-}
-
-bool Accelerator::flat(int shape) const {
-    const int which = tree_->mesh_of_shape[std::size_t(shape)];
-    return which < 0 || tree_->meshes[std::size_t(which)].normals.empty();
 }
 
 std::string accelerator_fingerprint() {

@@ -10,11 +10,17 @@
 
 #include "dewbow/render/opacity.h"
 #include "dewbow/render/ray.h"
+#include "dewbow/render/surface_inputs.h"
 #include "dewbow/scene/scene.h"
 
 namespace dewbow {
 
 struct AcceleratorTree;
+
+/// Directions on a surface.
+struct PictureAxes {
+    Vec3 right, up;
+};
 
 class Accelerator {
 public:
@@ -35,6 +41,14 @@ public:
     /// Whether anything stands in the way before `distance` (but for rounding: a light's own
     /// surface there does not hide it).
     bool occluded(const Ray& ray, double distance) const;
+
+    /// What textures are looked up by at `point`, the place of `hit`. Computed in double precision
+    /// from the point, also where the hit names another triangle of the same flat facet.
+    SurfaceCoordinates coordinates(const Hit& hit, Vec3 point) const;
+    /// Where right and up lie of a picture that is looked up by that set of texture coordinates,
+    /// for normal maps: the mesh's own tangents, or the derivatives of its coordinates. In the
+    /// world, not unit, not orthogonal; zero where there are none.
+    PictureAxes picture_axes(const Hit& hit, Vec3 point, int texcoord_set) const;
 
     /// Unit normal for shading at `hit`: interpolated where a mesh brings normals, else hit.normal.
     /// On the outward side of the true surface.

@@ -36,7 +36,8 @@ void AcceleratorTree::add_mesh(const Shape& shape, int index) {
     world.shape = index;
     world.see_through = see_through[std::size_t(index)];
     world.opacity = opacity_of(index);
-    world.triangles = &mesh.triangles;
+    world.mesh = &mesh;
+    world.world_from_object = &shape.world_from_object;
     std::vector<Vec3> vertices;
     vertices.reserve(mesh.vertices.size());
     for (const auto& v : mesh.vertices) vertices.push_back(shape.world_from_object(v).v);
@@ -97,6 +98,7 @@ void AcceleratorTree::add_shape(const Shape& shape, int index) {
         mesh_of_shape.back() = int(meshes.size());
         add_mesh(shape, index);
     } else if (AnalyticShape one(shape, kSamePlane * scale); one.infinite()) {
+        analytic_of_shape.back() = -1 - int(planes.size());
         planes.push_back(one);
         plane_shape.push_back(index);
     } else {

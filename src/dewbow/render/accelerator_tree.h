@@ -41,7 +41,8 @@ struct WorldMesh {
     std::vector<FacetPlane> planes;
     std::vector<Vec3> normals;  ///< one a vertex, or empty: flat
     std::optional<ConvexSolid> solid;
-    const std::vector<std::array<std::uint32_t, 3>>* triangles = nullptr;
+    const Mesh* mesh = nullptr;
+    const Transform<World, Object>* world_from_object = nullptr;
 };
 
 /// The double-precision side of one Embree query.
@@ -76,6 +77,17 @@ struct AcceleratorTree {
     bool meet(const AnalyticShape& shape, int index, const RayLanes& rays, int k, double limit,
               double& t, int& face) const;
 
+    /// The mesh of that shape, or nullptr for analytic shapes.
+    const WorldMesh* mesh_of(int shape) const {
+        const int which = mesh_of_shape[std::size_t(shape)];
+        return which < 0 ? nullptr : &meshes[std::size_t(which)];
+    }
+    /// That shape, if it is no mesh.
+    const AnalyticShape& analytic_at(int shape) const {
+        const int which = analytic_of_shape[std::size_t(shape)];
+        return which < 0 ? planes[std::size_t(-1 - which)] : analytic[std::size_t(which)];
+    }
+
     RTCDeviceTy* device = nullptr;
     RTCSceneTy* scene = nullptr;
     double scale = 1.0;  ///< of the coordinates, metres: what roundings are measured by
@@ -88,7 +100,7 @@ struct AcceleratorTree {
     std::vector<AnalyticShape> planes;
     std::vector<int> plane_shape;
     std::vector<int> mesh_of_shape;      // index into meshes, −1 for analytic shapes
-    std::vector<int> analytic_of_shape;  // index into analytic, −1 for the others
+    std::vector<int> analytic_of_shape;  // index into analytic; −1 − index into planes for those
     std::vector<bool> see_through;
     const Opacity* opacity = nullptr;
     std::vector<bool> partly_there;  ///< one a shape: whether to ask `opacity`

@@ -156,7 +156,8 @@ std::optional<ConvexSolid> ConvexSolid::from_triangles(
     for (const Vec3& v : vertices) scale = std::max(scale, length(v));
     ConvexSolid solid;
     solid.contact_ = contact;
-    const std::vector<int> facet_of = merge_facets(planes, scale, solid.facets_);
+    solid.facet_of_triangle_ = merge_facets(planes, scale, solid.facets_);
+    const std::vector<int>& facet_of = solid.facet_of_triangle_;
     if (facet_of.empty() || solid.facets_.size() < 4) return std::nullopt;
     for (const FacetPlane& f : solid.facets_)
         for (const auto& triangle : triangles)
@@ -194,6 +195,14 @@ std::optional<ConvexSolid> ConvexSolid::from_triangles(
         solid.d_.push_back(1.0f);
     }
     return solid;
+}
+
+std::vector<int> ConvexSolid::facet_triangles(int triangle) const {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < facet_of_triangle_.size(); ++i)
+        if (facet_of_triangle_[i] == facet_of_triangle_[std::size_t(triangle)])
+            result.push_back(int(i));
+    return result;
 }
 
 int ConvexSolid::search(Vec3 o, Vec3 d) const {

@@ -37,6 +37,8 @@ public:
     void leave(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const;
 
     const std::vector<FacetPlane>& facets() const { return facets_; }
+    /// All triangles of the facet that `triangle` is one of.
+    std::vector<int> facet_triangles(int triangle) const;
 
 private:
     /// The facet by which one ray leaves.
@@ -46,7 +48,7 @@ private:
 
     double contact_ = 0.0;
     std::vector<FacetPlane> facets_;
-    std::vector<int> triangle_of_facet_;
+    std::vector<int> triangle_of_facet_, facet_of_triangle_;
     std::vector<std::vector<FacetPlane>> neighbours_;  // planes of the facets that share an edge
     // The planes again, for the search: structure of arrays in float, padded to whole blocks.
     std::vector<float> nx_, ny_, nz_, d_;
