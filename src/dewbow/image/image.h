@@ -38,4 +38,13 @@ struct Image8 {
     std::vector<std::uint8_t> rgb;
 };
 
+/// RGBA with 8 or 16 bits a channel, row-major from the top left, 4 values a pixel; alpha is not
+/// multiplied into the colours.
+struct ImageRgba {
+    int width = 0, height = 0;
+    int bits = 8;  ///< 8: `values8` holds it, 16: `values16`
+    std::vector<std::uint8_t> values8;
+    std::vector<std::uint16_t> values16;
+};
+
 }  // namespace dewbow

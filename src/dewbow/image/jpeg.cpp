@@ -100,7 +100,7 @@ bool read_jpeg_rows(JpegReader& reader, std::uint8_t* rgb, std::size_t stride) {
 }  // namespace
 
 Image8 decode_jpeg(std::string_view bytes, const std::string& name) {
-    if (!bytes.starts_with("\xff\xd8\xff")) refuse_file(name, "this is not a JPEG file");
+    if (!is_jpeg(bytes)) refuse_file(name, "this is not a JPEG file");
     JpegReader reader;
     if (!read_jpeg_header(reader, bytes)) refuse(reader, name);
     const jpeg_decompress_struct& codec = reader.codec;
@@ -116,5 +116,7 @@ Image8 decode_jpeg(std::string_view bytes, const std::string& name) {
     if (!read_jpeg_rows(reader, image.rgb.data(), stride)) refuse(reader, name);
     return image;
 }
+
+bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff"); }
 
 }  // namespace dewbow

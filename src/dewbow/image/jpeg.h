@@ -15,4 +15,6 @@ namespace dewbow {
 /// viewers show grey. Throws InputError naming `name`; limits are those of limits.h.
 Image8 decode_jpeg(std::string_view bytes, const std::string& name);
 
+bool is_jpeg(std::string_view bytes);
+
 }  // namespace dewbow

@@ -5,6 +5,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <bit>
 #include <csetjmp>
 #include <cstring>
 
@@ -159,12 +160,25 @@ bool read_png_header(PngReader& reader) {
 }
 
 /// Whatever the file holds becomes 8-bit RGB.
-bool choose_png_conversions(PngReader& reader) {
+bool choose_rgb8(PngReader& reader) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_set_expand(reader.png);
     png_set_scale_16(reader.png);
     png_set_strip_alpha(reader.png);
     png_set_gray_to_rgb(reader.png);
+    png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    return true;
+}
+
+/// Whatever the file holds becomes RGBA of 8 or 16 bits.
+bool choose_rgba(PngReader& reader) {
+    if (setjmp(png_jmpbuf(reader.png))) return false;
+    png_set_expand(reader.png);
+    png_set_gray_to_rgb(reader.png);
+    // For those that have no alpha; of 0xffff an 8-bit picture takes the lower half.
+    png_set_add_alpha(reader.png, 0xffff, PNG_FILLER_AFTER);
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(reader.png);
     png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
     return true;
@@ -177,10 +191,11 @@ bool read_png_rows(PngReader& reader) {
     return true;
 }
 
-void check_png_size(const PngReader& reader, std::size_t file_bytes, const std::string& name) {
+void check_png_size(const PngReader& reader, int channels, std::size_t file_bytes,
+                    const std::string& name) {
     const std::int64_t width = png_get_image_width(reader.png, reader.info);
     const std::int64_t height = png_get_image_height(reader.png, reader.info);
-    check_image_size(name, width, height, 3, file_bytes);
+    check_image_size(name, width, height, channels, file_bytes);
     const std::int64_t bits_per_pixel = std::int64_t{png_get_channels(reader.png, reader.info)} *
                                         png_get_bit_depth(reader.png, reader.info);
     if (width * height * bits_per_pixel / 8 >
@@ -191,6 +206,26 @@ void check_png_size(const PngReader& reader, std::size_t file_bytes, const std::
 
 [[noreturn]] void refuse(const PngReader& reader, const std::string& name) {
     refuse_file(name, std::string("this PNG file cannot be read: ") + reader.message.text);
+}
+
+/// Reads up to the first row, with those conversions chosen.
+void open_png(PngReader& reader, std::string_view bytes, bool (*choose)(PngReader&), int channels,
+              const std::string& name) {
+    if (!is_png(bytes)) refuse_file(name, "this is not a PNG file");
+    reader.rest = bytes;
+    if (!reader.info || !read_png_header(reader)) refuse(reader, name);
+    check_png_size(reader, channels, bytes.size(), name);
+    if (!choose(reader)) refuse(reader, name);
+}
+
+/// All rows into `pixels`, `stride` bytes apart.
+void read_png_pixels(PngReader& reader, png_bytep pixels, std::size_t stride,
+                     const std::string& name) {
+    DEWBOW_CHECK(png_get_rowbytes(reader.png, reader.info) == stride,
+                 "the conversions leave pixels of the size that was asked for");
+    const std::size_t height = png_get_image_height(reader.png, reader.info);
+    for (std::size_t y = 0; y < height; ++y) reader.rows.push_back(pixels + y * stride);
+    if (!read_png_rows(reader)) refuse(reader, name);
 }
 
 }  // namespace
@@ -215,27 +250,40 @@ std::string encode_png(const Image8& image, const Attributes& attributes) {
 }
 
 Image8 decode_png(std::string_view bytes, const std::string& name) {
-    constexpr std::size_t kSignatureLength = 8;
-    if (bytes.size() < kSignatureLength ||
-        png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureLength) != 0)
-        refuse_file(name, "this is not a PNG file");
     PngReader reader;
-    reader.rest = bytes;
-    if (!reader.info || !read_png_header(reader)) refuse(reader, name);
-    check_png_size(reader, bytes.size(), name);
-    if (!choose_png_conversions(reader)) refuse(reader, name);
-
+    open_png(reader, bytes, choose_rgb8, 3, name);
     Image8 image;
     image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
     image.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
     const std::size_t stride = 3 * static_cast<std::size_t>(image.width);
-    DEWBOW_CHECK(png_get_rowbytes(reader.png, reader.info) == stride,
-                 "the conversions leave three bytes a pixel");
     image.rgb.resize(stride * static_cast<std::size_t>(image.height));
-    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
-        reader.rows.push_back(image.rgb.data() + y * stride);
-    if (!read_png_rows(reader)) refuse(reader, name);
+    read_png_pixels(reader, image.rgb.data(), stride, name);
     return image;
+}
+
+ImageRgba decode_png_rgba(std::string_view bytes, const std::string& name) {
+    PngReader reader;
+    open_png(reader, bytes, choose_rgba, 4, name);
+    ImageRgba image;
+    image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
+    image.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
+    image.bits = png_get_bit_depth(reader.png, reader.info);
+    const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+    const std::size_t values = row * static_cast<std::size_t>(image.height);
+    if (image.bits == 16) {
+        image.values16.resize(values);
+        read_png_pixels(reader, reinterpret_cast<png_bytep>(image.values16.data()), 2 * row, name);
+    } else {
+        image.values8.resize(values);
+        read_png_pixels(reader, image.values8.data(), row, name);
+    }
+    return image;
+}
+
+bool is_png(std::string_view bytes) {
+    constexpr std::size_t kSignatureLength = 8;
+    return bytes.size() >= kSignatureLength &&
+           png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureLength) == 0;
 }
 
 }  // namespace dewbow

@@ -15,5 +15,10 @@ std::string encode_png(const Image8& image, const Attributes& attributes);
 /// whatever their alpha). Values are taken as sRGB: gAMA, cHRM and iCCP chunks are ignored, as glTF
 /// asks for. Throws InputError naming `name`; limits are those of limits.h.
 Image8 decode_png(std::string_view bytes, const std::string& name);
+/// All that the file holds: files of 16 bits stay so, others have 8. Alpha is the largest value
+/// where the file has none. Otherwise as decode_png.
+ImageRgba decode_png_rgba(std::string_view bytes, const std::string& name);
+
+bool is_png(std::string_view bytes);
 
 }  // namespace dewbow

@@ -154,6 +154,44 @@ TEST(Png, InterlacedFilesAreRead) {
         EXPECT_TRUE(std::equal(row.begin(), row.end(), image.rgb.begin() + 15 * std::ptrdiff_t(y)));
 }
 
+// ---- with alpha ------------------------------------------------------------------------------
+
+Bytes rgba_row(const ForeignPng& foreign) {
+    const ImageRgba image = decode_png_rgba(encode(foreign), "wood.png");
+    EXPECT_EQ(image.bits, 8);
+    return Bytes(image.values8.begin(), image.values8.begin() + 4 * image.width);
+}
+
+TEST(PngRgba, AlphaIsTheFilesOrWhole) {
+    EXPECT_EQ(rgba_row({2, 3, 8, PNG_COLOR_TYPE_RGB_ALPHA, {1, 2, 3, 0, 4, 5, 6, 255}}),
+              (Bytes{1, 2, 3, 0, 4, 5, 6, 255}));
+    EXPECT_EQ(rgba_row({1, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {77, 5}}), (Bytes{77, 77, 77, 5}));
+    EXPECT_EQ(rgba_row({1, 1, 8, PNG_COLOR_TYPE_RGB, {1, 2, 3}}), (Bytes{1, 2, 3, 255}));
+    EXPECT_EQ(rgba_row({3, 2, 1, PNG_COLOR_TYPE_GRAY, {0b10100000}}),
+              (Bytes{255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255}));
+}
+
+TEST(PngRgba, PalettesKeepTheirAlpha) {
+    const std::vector<png_color> palette{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    const Bytes row{0b10000100};
+    EXPECT_EQ(rgba_row({3, 1, 2, PNG_COLOR_TYPE_PALETTE, row, false, palette, {0, 128, 255}}),
+              (Bytes{7, 8, 9, 255, 1, 2, 3, 0, 4, 5, 6, 128}));
+    EXPECT_EQ(rgba_row({3, 1, 2, PNG_COLOR_TYPE_PALETTE, row, false, palette, {}}),
+              (Bytes{7, 8, 9, 255, 1, 2, 3, 255, 4, 5, 6, 255}));
+}
+
+TEST(PngRgba, SixteenBitsStay) {
+    const Bytes row{0x01, 0x02, 0x80, 0x00, 0xff, 0xfe, 0x12, 0x34};
+    const ImageRgba image =
+        decode_png_rgba(encode({1, 2, 16, PNG_COLOR_TYPE_RGB_ALPHA, row, true}), "wood.png");
+    EXPECT_EQ(image.bits, 16);
+    EXPECT_EQ(image.values16, (std::vector<std::uint16_t>{0x0102, 0x8000, 0xfffe, 0x1234, 0x0102,
+                                                          0x8000, 0xfffe, 0x1234}));
+    const ImageRgba grey =
+        decode_png_rgba(encode({1, 1, 16, PNG_COLOR_TYPE_GRAY, {0x01, 0x02}}), "wood.png");
+    EXPECT_EQ(grey.values16, (std::vector<std::uint16_t>{0x0102, 0x0102, 0x0102, 0xffff}));
+}
+
 // ---- hostile files ---------------------------------------------------------------------------
 
 /// `bytes` with another size in its header, whose checksum is made right.
