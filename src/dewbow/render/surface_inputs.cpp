@@ -17,7 +17,36 @@ std::array<double, N> between(const std::vector<std::array<float, N>>& at,
     return value;
 }
 
+struct SurfaceVaries {
+    const Scene& scene;
+
+    bool operator()(const Black&) const { return false; }
+    bool operator()(const Diffuse& s) const { return s.reflectance.varies(); }
+    bool operator()(const Mirror& s) const { return s.reflectance.varies(); }
+    bool operator()(const Dielectric& s) const { return s.roughness.varies() || s.tint.varies(); }
+    bool operator()(const ThinDielectric& s) const {
+        return s.roughness.varies() || s.tint.varies();
+    }
+    bool operator()(const Conductor& s) const { return s.roughness.varies(); }
+    bool operator()(const MetallicRoughness& s) const {
+        return s.base_colour.varies() || s.metalness.varies() || s.roughness.varies() ||
+               s.specular.varies() || s.specular_colour.varies() || s.clearcoat.varies() ||
+               s.clearcoat_roughness.varies() || s.sheen_colour.varies() ||
+               s.sheen_roughness.varies();
+    }
+    bool operator()(const Mix& s) const {
+        return s.second_share.varies() || of(s.first) || of(s.second);
+    }
+    bool of(int material) const {
+        return surface_varies(scene, scene.materials[std::size_t(material)]);
+    }
+};
+
 }  // namespace
+
+bool surface_varies(const Scene& scene, const Material& material) {
+    return std::visit(SurfaceVaries{scene}, material.surface);
+}
 
 SurfaceCoordinates coordinates_on(const Mesh& mesh, int triangle, double u, double v) {
     const std::array<std::uint32_t, 3>& corners = mesh.triangles[std::size_t(triangle)];

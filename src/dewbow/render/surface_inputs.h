@@ -6,8 +6,7 @@
 #include <array>
 
 #include "dewbow/render/rgb_lanes.h"
-#include "dewbow/scene/shape.h"
-#include "dewbow/scene/surface_input.h"
+#include "dewbow/scene/scene.h"
 
 namespace dewbow {
 
@@ -23,6 +22,9 @@ struct SurfaceCoordinates {
 SurfaceCoordinates coordinates_on(const Mesh& mesh, int triangle, double u, double v);
 /// On a shape that has coordinates of its own.
 SurfaceCoordinates coordinates_on_chart(double u, double v);
+
+/// Whether what the surface does to light differs from place to place; of a mix, any part of it.
+bool surface_varies(const Scene& scene, const Material& material);
 
 /// `input` at one place.
 double number_at(const NumberInput& input, const SurfaceCoordinates& at);

@@ -61,7 +61,10 @@ PreparedScene::PreparedScene(const Scene& s)
       lights(s),
       camera(s) {
     camera_media = media_at(camera.position(), scene, media, accelerator);
-    for (const Material& material : scene.materials) albedo.push_back(albedo_of(material));
+    for (const Material& material : scene.materials) {
+        albedo.push_back(albedo_of(material));
+        varies.push_back(surface_varies(scene, material));
+    }
 }
 
 PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index) {

@@ -29,6 +29,7 @@ struct PreparedScene {
     CameraRays camera;
     MediaStack camera_media;          ///< what the camera stands in
     std::vector<Colour<Xyz>> albedo;  ///< one a material, for the albedo layer
+    std::vector<bool> varies;         ///< one a material: surface_varies
 };
 
 /// Sample `index` of pixel (x, y).

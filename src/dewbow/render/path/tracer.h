@@ -152,6 +152,8 @@ private:
 
     // Helpers.
     Vertex vertex_at(const Ray& ray, const Hit& hit) const;
+    Vec3 tilted_normal(const NormalMap& map, const SurfaceCoordinates& at, const Hit& hit,
+                       Vec3 position, Vec3 n) const;
     Vec3 facing_normal(const Ray& ray, const Hit& hit, bool front) const;
     int material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const;
     const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
