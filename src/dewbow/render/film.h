@@ -30,7 +30,7 @@ struct PixelSample {
     /// Radiance estimate of each lane, W m⁻² sr⁻¹ nm⁻¹.
     alignas(64) std::array<double, kMaxLanes> radiance{};
     // The first thing that is seen; of what is seen through or in glass, the glass itself.
-    Colour<Xyz> albedo;  ///< reflectance under equal energy, white = Y 1
+    Colour<Xyz> albedo;  ///< under D65: white is that of linear sRGB (1, 1, 1)
     Vec3 normal;         ///< world frame; zero where nothing is hit
     double depth = 0.0;  ///< m along the camera's axis; 0 where nothing is hit
     bool hit = false;

@@ -77,24 +77,25 @@ double number_at(const NumberInput& input, const SurfaceCoordinates& at) {
     return input.value * input.texture->eval(point)[std::size_t(input.channel)];
 }
 
-void SurfaceInputs::colour(const ColourInput& input, const LaneSet& lanes, LaneValues& out) const {
-    if (!input) {
-        std::fill_n(out.v.begin(), lanes.count, 1.0);
-        return;
-    }
-    if (!input.varies()) {
-        input.spectrum->eval_lanes(lanes.lambdas(), out.first(lanes.count));
-        return;
-    }
+Colour<LinearSrgb> colour_at(const ColourInput& input, const SurfaceCoordinates& at) {
     Colour<LinearSrgb> rgb = input.factor;
     if (input.texture) {
-        const auto texel = input.texture->eval(at_.uv[std::size_t(input.texture->texcoord_set)]);
+        const auto texel = input.texture->eval(at.uv[std::size_t(input.texture->texcoord_set)]);
         for (std::size_t c = 0; c < 3; ++c) rgb[c] *= texel[c];
     }
     if (input.vertex_colour)
-        for (std::size_t c = 0; c < 3; ++c) rgb[c] *= at_.colour[c];
+        for (std::size_t c = 0; c < 3; ++c) rgb[c] *= at.colour[c];
     for (double& channel : rgb.v) channel = std::clamp(channel, 0.0, 1.0);
-    rgb_.eval(rgb, lanes, out);
+    return rgb;
+}
+
+void SurfaceInputs::colour(const ColourInput& input, const LaneSet& lanes, LaneValues& out) const {
+    if (input.varies())
+        rgb_.eval(colour_at(input, at_), lanes, out);
+    else if (input.spectrum)
+        input.spectrum->eval_lanes(lanes.lambdas(), out.first(lanes.count));
+    else
+        std::fill_n(out.v.begin(), lanes.count, 1.0);
 }
 
 }  // namespace dewbow

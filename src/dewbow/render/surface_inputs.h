@@ -26,6 +26,8 @@ SurfaceCoordinates coordinates_on_chart(double u, double v);
 /// Whether what the surface does to light differs from place to place; of a mix, any part of it.
 bool surface_varies(const Scene& scene, const Material& material);
 
+/// The colour that an input which varies has at one place, each channel within 0 to 1.
+Colour<LinearSrgb> colour_at(const ColourInput& input, const SurfaceCoordinates& at);
 /// `input` at one place.
 double number_at(const NumberInput& input, const SurfaceCoordinates& at);
 

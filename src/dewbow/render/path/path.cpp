@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "dewbow/base/check.h"
-#include "dewbow/spectrum/cie.h"
+#include "dewbow/render/albedo.h"
 
 namespace dewbow {
 
@@ -13,18 +13,6 @@ namespace {
 std::uint64_t next_serial() {
     static std::atomic<std::uint64_t> serial{0};
     return ++serial;
-}
-
-Colour<Xyz> albedo_of(const Material& material) {
-    const Spectrum* spectrum = nullptr;
-    if (const auto* diffuse = std::get_if<Diffuse>(&material.surface))
-        spectrum = diffuse->reflectance.spectrum.get();
-    else if (const auto* metallic = std::get_if<MetallicRoughness>(&material.surface))
-        spectrum = metallic->base_colour.spectrum.get();
-    else if (std::holds_alternative<Black>(material.surface))
-        return {};
-    const Colour<Xyz> white = xyz_from_spectrum(*make_constant(1.0));
-    return (spectrum ? xyz_from_spectrum(*spectrum) : white) * (1.0 / cie_y_integral());
 }
 
 class PathEstimator : public Estimator {
@@ -61,10 +49,9 @@ PreparedScene::PreparedScene(const Scene& s)
       lights(s),
       camera(s) {
     camera_media = media_at(camera.position(), scene, media, accelerator);
-    for (const Material& material : scene.materials) {
-        albedo.push_back(albedo_of(material));
+    albedo = albedo_of_materials(scene);
+    for (const Material& material : scene.materials)
         varies.push_back(surface_varies(scene, material));
-    }
 }
 
 PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index) {

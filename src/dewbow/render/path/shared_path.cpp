@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dewbow/optics/refraction.h"
+#include "dewbow/render/albedo.h"
 #include "dewbow/render/bsdf.h"
 #include "dewbow/render/path/tracer.h"
 
@@ -74,7 +75,7 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
         result_.hit = true;
         result_.normal = dot(vertex.shading, vertex.wo) >= 0.0 ? vertex.shading : -vertex.shading;
         result_.depth = dot(vertex.position - prepared_.camera.position(), prepared_.camera.axis());
-        result_.albedo = prepared_.albedo[std::size_t(id)];
+        result_.albedo = albedo_at(material, prepared_.albedo[std::size_t(id)], vertex.at);
     }
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
