@@ -22,7 +22,7 @@ struct SceneFormat {
 const std::vector<SceneFormat>& scene_formats() {
     static const std::vector<SceneFormat> formats = {
         {".toml", load_toml},      {".gltf", load_gltf},      {".glb", load_gltf},
-        {".obj", load_mesh_scene}, {".ply", load_mesh_scene},
+        {".obj", load_mesh_scene}, {".ply", load_mesh_scene}, {".stl", load_mesh_scene},
     };
     return formats;
 }
@@ -38,7 +38,7 @@ const SceneFormat& format_of(const std::filesystem::path& path) {
     throw InputError({path.string(), 0, 0, {}},
                      extension.empty() ? std::string("a scene file needs an extension")
                                        : "\"" + extension + "\" is no scene format that is read",
-                     {}, "expected one of .toml, .gltf, .glb, .obj, .ply");
+                     {}, "expected one of .toml, .gltf, .glb, .obj, .ply, .stl");
 }
 
 /// The studio as bright as suits the film's white.

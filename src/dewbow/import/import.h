@@ -22,8 +22,9 @@ struct ImportedScene {
     Diagnostics diagnostics;  ///< what the file asks for and the scene does not hold, each once
 };
 
-/// Reads `path` by its extension (.toml, .gltf, .glb, .obj, .ply), completes it (a camera that
-/// frames it and a studio's light where the file brings none) and validates it. Throws InputError.
+/// Reads `path` by its extension (.toml, .gltf, .glb, .obj, .ply, .stl), completes it (a camera
+/// that frames it and a studio's light where the file brings none) and validates it. Throws
+/// InputError.
 ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The extensions that load_scene reads, for messages and help.

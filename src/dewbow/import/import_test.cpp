@@ -83,11 +83,11 @@ TEST_F(ImportTest, GlowingThingsAreLightEnough) {
 
 TEST_F(ImportTest, OtherFormatsAreNamed) {
     EXPECT_NE(
-        error_of(write("a.stl", "solid")).find("expected one of .toml, .gltf, .glb, .obj, .ply"),
+        error_of(write("a.fbx", "solid")).find("expected one of .toml, .gltf, .glb, .obj, .ply"),
         std::string::npos);
     EXPECT_NE(error_of(folder_ / "scene").find("needs an extension"), std::string::npos);
     EXPECT_NE(error_of(folder_ / "missing.toml").find("missing.toml"), std::string::npos);
-    EXPECT_EQ(scene_extensions().size(), 5u);
+    EXPECT_EQ(scene_extensions().size(), 6u);
 }
 
 TEST_F(ImportTest, AMeshWithoutAreaIsAnError) {

@@ -132,6 +132,13 @@ void MeshRepairs::report(const SourcePlace& place, Diagnostics& diagnostics) con
     }
 }
 
+std::string MeshRepairs::sentence_of_nothing_left() const {
+    if (bad_vertex_triangles == 0) return "has no triangle with an area";
+    return fmt::format(
+        "has no triangle that can be shown: {} with a vertex that is not finite, {} without area",
+        bad_vertex_triangles, flat_triangles);
+}
+
 MeshRepairs clean(Mesh& mesh) {
     MeshRepairs repairs;
     drop_triangles(mesh, repairs);

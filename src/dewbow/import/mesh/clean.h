@@ -18,6 +18,8 @@ struct MeshRepairs {
     MeshRepairs& operator+=(const MeshRepairs& other);
     /// Adds a diagnostic for each that is not zero.
     void report(const SourcePlace& place, Diagnostics& diagnostics) const;
+    /// Why no triangle is left.
+    std::string sentence_of_nothing_left() const;
 };
 
 /// Drops triangles that a renderer cannot use, then vertices that no triangle uses, and gives

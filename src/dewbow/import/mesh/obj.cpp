@@ -4,30 +4,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
+#include <map>
 #include <set>
 
 #include "dewbow/base/parse_number.h"
-#include "dewbow/import/mesh/clean.h"
+#include "dewbow/import/mesh/obj_parts.h"
 #include "dewbow/import/mesh/words.h"
+#include "dewbow/spectrum/display.h"
 
 namespace dewbow {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-/// A corner of a face as the file gives it: where its vertex and its normal stand.
-struct Corner {
-    std::uint32_t vertex = 0, normal = kNone;
-};
+using obj::Corner;
+using obj::Faces;
+using obj::kNone;
+using obj::Pool;
 
 class ObjReader {
 public:
-    ObjReader(const std::string& file, std::string_view text, Diagnostics& diagnostics)
-        : file_(file), text_(text), diagnostics_(diagnostics) {}
+    ObjReader(const std::string& file, std::string_view text, ObjDivision division,
+              Diagnostics& diagnostics)
+        : file_(file), text_(text), division_(division), diagnostics_(diagnostics) {}
 
-    Mesh read() {
+    ObjModel read() {
         LineReader lines(text_);
         while (lines.next()) {
             line_ = lines.number();
@@ -35,7 +34,12 @@ public:
             split_words(lines.line(), words_);
             if (!words_.empty() && words_[0][0] != '#') read_statement();
         }
-        return assemble();
+        if (division_ == ObjDivision::objects_and_materials)
+            faces_ = obj::joined_where_they_touch(std::move(faces_), pool_.vertices.size());
+        for (const Faces& faces : faces_)
+            if (!faces.corners.empty())
+                model_.parts.push_back(obj::assemble(faces, pool_, file_, diagnostics_));
+        return std::move(model_);
     }
 
 private:
@@ -43,36 +47,92 @@ private:
         throw InputError({file_, line_, 0, {}}, sentence, std::string(line_of(text_, line_)));
     }
 
+    void note(const std::string& text) { diagnostics_.push_back({{file_, line_, 0, {}}, text}); }
+
     void note_once(const std::string& subject, const std::string& text) {
-        if (noted_.insert(subject).second) diagnostics_.push_back({{file_, line_, 0, {}}, text});
+        if (noted_.insert(subject).second) note(text);
     }
 
     void read_statement() {
         const std::string_view keyword = words_[0];
         if (keyword == "v") {
-            vertices_.push_back({read_vec3()});
+            read_vertex();
         } else if (keyword == "vn") {
-            normals_.push_back({read_vec3()});
+            pool_.normals.push_back({read_vec3()});
+        } else if (keyword == "vt") {
+            read_texcoord();
         } else if (keyword == "f") {
             read_face();
-        } else if (keyword == "usemtl" || keyword == "mtllib") {
-            note_once("materials", "materials of the file (mtllib, usemtl) are not used");
+        } else if (keyword == "o" || keyword == "g") {
+            read_name(keyword == "o", rest_of_line());
+        } else if (keyword == "usemtl") {
+            material_ = rest_of_line();
+            material_line_ = line_;
+            current_ = nullptr;
+        } else if (keyword == "mtllib") {
+            model_.libraries.push_back({rest_of_line(), line_});
         } else if (keyword == "l" || keyword == "p") {
             note_once("lines", "lines and points are not shown");
-        } else if (!std::binary_search(std::begin(kPassedOver), std::end(kPassedOver), keyword)) {
-            note_once("unknown", fmt::format("statements \"{}\" are not used", keyword));
+        } else if (keyword != "s" && keyword != "mg") {
+            note_unknown(std::string(keyword.substr(0, 40)));
         }
+    }
+
+    /// What follows the first word.
+    std::string rest_of_line() const {
+        if (words_.size() < 2) return {};
+        return {words_[1].data(), words_.back().data() + words_.back().size()};
+    }
+
+    void note_unknown(const std::string& keyword) {
+        constexpr std::size_t kMostNotes = 10;
+        if (!unknown_.insert(keyword).second || unknown_.size() > kMostNotes + 1) return;
+        note(unknown_.size() <= kMostNotes ? fmt::format("statements \"{}\" are not used", keyword)
+                                           : std::string("more kinds of statements are not used"));
+    }
+
+    double read_number(std::size_t word) {
+        const auto number = parse_number<double>(words_[word]);
+        if (!number) fail(fmt::format("\"{}\" is no number", words_[word].substr(0, 40)));
+        return *number;
     }
 
     Vec3 read_vec3() {
         if (words_.size() < 4) fail(fmt::format("\"{}\" needs three numbers", words_[0]));
-        std::array<double, 3> v;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto number = parse_number<double>(words_[i + 1]);
-            if (!number) fail(fmt::format("\"{}\" is no number", words_[i + 1]));
-            v[i] = *number;
+        return {read_number(1), read_number(2), read_number(3)};
+    }
+
+    /// x y z, a weight that only curves have, or a colour.
+    void read_vertex() {
+        const Vec3 place = read_vec3();
+        const bool has_colour = words_.size() >= 7;
+        if (has_colour || !pool_.colours.empty()) {
+            pool_.colours.resize(pool_.vertices.size(), {1.0f, 1.0f, 1.0f, 1.0f});
+            auto& colour = pool_.colours.emplace_back(std::array{1.0f, 1.0f, 1.0f, 1.0f});
+            for (std::size_t c = 0; c < 3 && has_colour; ++c)
+                colour[c] = float(srgb_decode(held_in_share(read_number(c + 4))));
         }
-        return {v[0], v[1], v[2]};
+        pool_.vertices.push_back({place});
+    }
+
+    double held_in_share(double value) {
+        if (value >= 0.0 && value <= 1.0) return value;
+        note_once("colours", "colours of vertices outside 0 to 1 are held there");
+        return value > 1.0 ? 1.0 : 0.0;  // NaN is 0
+    }
+
+    /// OBJ's v grows upwards.
+    void read_texcoord() {
+        if (words_.size() < 2) fail("\"vt\" needs one to three numbers");
+        const double u = read_number(1), v = words_.size() > 2 ? read_number(2) : 0.0;
+        pool_.texcoords.push_back({float(u), float(1.0 - v)});
+    }
+
+    void read_name(bool is_object, std::string name) {
+        if (!is_object && has_objects_) return;
+        has_objects_ |= is_object;
+        name_ = std::move(name);
+        current_ = nullptr;
     }
 
     /// "7" is the seventh of `count`, "-1" the last.
@@ -88,82 +148,65 @@ private:
 
     /// v, v/vt, v//vn or v/vt/vn.
     Corner read_corner(std::string_view word) {
-        const std::size_t first = word.find('/');
-        Corner corner{read_index(word.substr(0, first), vertices_.size(), "vertex"), kNone};
-        if (first == std::string_view::npos) return corner;
-        const std::size_t second = word.find('/', first + 1);
-        if (second == std::string_view::npos || second + 1 == word.size()) return corner;
-        corner.normal = read_index(word.substr(second + 1), normals_.size(), "normal");
+        std::array<std::string_view, 3> parts;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t slash = word.find('/');
+            parts[i] = word.substr(0, slash);
+            word = slash == std::string_view::npos ? std::string_view{} : word.substr(slash + 1);
+        }
+        Corner corner{read_index(parts[0], pool_.vertices.size(), "vertex"), kNone, kNone};
+        if (!parts[1].empty())
+            corner.texcoord = read_index(parts[1], pool_.texcoords.size(), "texture coordinate");
+        if (!parts[2].empty()) corner.normal = read_index(parts[2], pool_.normals.size(), "normal");
         return corner;
+    }
+
+    Faces& faces() {
+        if (current_) return *current_;
+        const bool whole = division_ == ObjDivision::none;
+        const auto key =
+            whole ? std::pair<std::string, std::string>() : std::pair(name_, material_);
+        const auto [found, is_new] = index_of_.try_emplace(key, faces_.size());
+        if (is_new) faces_.push_back({key.first, key.second, material_line_, {}, {}});
+        return *(current_ = &faces_[found->second]);
     }
 
     void read_face() {
         if (words_.size() < 4) fail("a face needs three corners");
-        const std::size_t first = corners_.size();
-        for (std::size_t i = 1; i < words_.size(); ++i) corners_.push_back(read_corner(words_[i]));
-        polygon_.clear();
-        if (corners_.size() > kNone) fail("there are too many corners");
-        for (std::size_t i = first; i < corners_.size(); ++i) polygon_.push_back(std::uint32_t(i));
-        add_polygon(mesh_, polygon_);
+        Faces& into = faces();
+        const std::size_t first = into.corners.size();
+        for (std::size_t i = 1; i < words_.size(); ++i)
+            into.corners.push_back(read_corner(words_[i]));
+        for (std::size_t i = 2; i + 1 < words_.size(); ++i)
+            into.triangles.push_back(
+                {std::uint32_t(first), std::uint32_t(first + i - 1), std::uint32_t(first + i)});
     }
-
-    Mesh assemble();
-    bool keep_normals();
-
-    static constexpr std::string_view kPassedOver[] = {"g", "mg", "o", "s", "vt"};
 
     const std::string& file_;
     std::string_view text_;
+    ObjDivision division_;
     Diagnostics& diagnostics_;
-    std::set<std::string> noted_;
-    std::size_t line_ = 0;
+    std::set<std::string> noted_, unknown_;
+    std::size_t line_ = 0, material_line_ = 0;
     std::vector<std::string_view> words_;
-    std::vector<Point<Object>> vertices_;
-    std::vector<Normal<Object>> normals_;
-    std::vector<Corner> corners_;
-    std::vector<std::uint32_t> polygon_;
-    Mesh mesh_;  ///< until assemble(), its triangles count corners
+    std::string name_, material_;
+    bool has_objects_ = false;
+    Pool pool_;
+    std::map<std::pair<std::string, std::string>, std::size_t> index_of_;
+    std::vector<Faces> faces_;
+    Faces* current_ = nullptr;
+    ObjModel model_;
 };
-
-bool ObjReader::keep_normals() {
-    const auto with = std::count_if(corners_.begin(), corners_.end(),
-                                    [](const Corner& corner) { return corner.normal != kNone; });
-    if (with > 0 && std::size_t(with) < corners_.size()) {
-        diagnostics_.push_back(
-            {{file_, 0, 0, {}}, "only some corners have normals: none are used, facets are flat"});
-    }
-    return with > 0 && std::size_t(with) == corners_.size();
-}
-
-Mesh ObjReader::assemble() {
-    const bool with_normals = keep_normals();
-    // Corners that share vertex and normal share a vertex of the mesh, numbered in the order of
-    // first use.
-    std::unordered_map<std::uint64_t, std::uint32_t> index_of;
-    for (auto& triangle : mesh_.triangles) {
-        for (std::uint32_t& index : triangle) {
-            const Corner corner = corners_[index];
-            const std::uint32_t normal = with_normals ? corner.normal : 0;
-            const auto [found, is_new] =
-                index_of.try_emplace((std::uint64_t{corner.vertex} << 32) | normal,
-                                     std::uint32_t(mesh_.vertices.size()));
-            index = found->second;
-            if (!is_new) continue;
-            mesh_.vertices.push_back(vertices_[corner.vertex]);
-            if (with_normals) mesh_.normals.push_back(normals_[corner.normal]);
-        }
-    }
-    return std::move(mesh_);
-}
 
 }  // namespace
 
-Mesh parse_obj(const std::string& file, std::string_view text, Diagnostics& diagnostics) {
+ObjModel parse_obj(const std::string& file, std::string_view text, ObjDivision division,
+                   Diagnostics& diagnostics) {
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         throw InputError(SourcePlace{file, 0, 0, fmt::format("byte {}", zero)},
                          "this is no text, which OBJ files are");
     }
-    return ObjReader(file, text, diagnostics).read();
+    return ObjReader(file, text, division, diagnostics).read();
 }
 
 }  // namespace dewbow

@@ -9,6 +9,7 @@
 
 #include "dewbow/import/mesh/clean.h"
 #include "dewbow/import/mesh/ply_body.h"
+#include "dewbow/spectrum/display.h"
 
 namespace dewbow {
 namespace {
@@ -17,6 +18,7 @@ using ply::Body;
 using ply::Element;
 using ply::Header;
 using ply::Property;
+using ply::Scalar;
 
 /// Refuses `count` elements that the bytes left cannot hold.
 void check_count(const Element& element, const Body& body) {
@@ -54,41 +56,98 @@ void skip(const Element& element, Body& body) {
     }
 }
 
-/// Which of x, y, z, nx, ny, nz each property is; -1 = none of them.
-std::vector<int> slots_of(const Element& element, const Body& body) {
-    constexpr const char* kNames[] = {"x", "y", "z", "nx", "ny", "nz"};
-    std::vector<int> slots(element.properties.size(), -1);
-    for (int i = 0; i < 6; ++i) {
-        const auto found = element.find(kNames[i]);
-        if (found && !element.properties[*found].list_count) {
-            slots[*found] = i;
-        } else if (i < 3) {
-            throw InputError(body.place(), fmt::format("vertices have no property {}", kNames[i]));
+/// What a vertex may have, by the names of its properties.
+enum Slot { kX, kY, kZ, kNx, kNy, kNz, kRed, kGreen, kBlue, kAlpha, kU, kV, kSlots };
+struct SlotName {
+    const char* name;
+    Slot slot;
+};
+constexpr SlotName kSlotNames[] = {
+    {"x", kX},       {"y", kY},         {"z", kZ},         {"nx", kNx},
+    {"ny", kNy},     {"nz", kNz},       {"red", kRed},     {"green", kGreen},
+    {"blue", kBlue}, {"alpha", kAlpha}, {"s", kU},         {"t", kV},
+    {"u", kU},       {"v", kV},         {"texture_u", kU}, {"texture_v", kV},
+};
+
+class VertexReader {
+public:
+    VertexReader(const Element& element, Body& body, Mesh& mesh)
+        : element_(element), body_(body), mesh_(mesh), slots_(element.properties.size(), kSlots) {
+        for (const SlotName& row : kSlotNames) {
+            const auto found = element.find(row.name);
+            if (!found || element.properties[*found].list_count || has_[row.slot]) continue;
+            slots_[*found] = row.slot;
+            has_[row.slot] = true;
+            types_[row.slot] = element.properties[*found].type;
+        }
+        for (const Slot slot : {kX, kY, kZ})
+            if (!has_[slot])
+                throw InputError(body.place(), fmt::format("vertices have no property {}",
+                                                           kSlotNames[slot].name));
+    }
+
+    /// The number of colour values that were out of range.
+    std::uint64_t read() {
+        const bool normals = has_[kNx] && has_[kNy] && has_[kNz];
+        const bool colours = has_[kRed] && has_[kGreen] && has_[kBlue];
+        const bool texcoords = has_[kU] && has_[kV];
+        mesh_.vertices.reserve(element_.count);
+        for (std::uint64_t i = 0; i < element_.count; ++i) {
+            read_values();
+            mesh_.vertices.push_back({{v_[kX], v_[kY], v_[kZ]}});
+            if (normals) mesh_.normals.push_back({{v_[kNx], v_[kNy], v_[kNz]}});
+            if (colours)
+                mesh_.colours.push_back(
+                    {colour(kRed), colour(kGreen), colour(kBlue), has_[kAlpha] ? alpha() : 1.0f});
+            if (texcoords) mesh_.texcoords[0].push_back({float(v_[kU]), float(1.0 - v_[kV])});
+        }
+        return out_of_range_;
+    }
+
+private:
+    void read_values() {
+        for (std::size_t p = 0; p < slots_.size(); ++p) {
+            if (slots_[p] == kSlots) {
+                skip(element_.properties[p], body_);
+            } else {
+                v_[slots_[p]] = body_.number(element_.properties[p].type);
+            }
         }
     }
-    return slots;
-}
+    bool is_float(Slot slot) const { return types_[slot] >= Scalar::float32; }
+    /// The value of `slot` as a part of the largest number of its type.
+    double share(Slot slot) {
+        constexpr double kLargest[] = {127.0, 255.0, 32767.0, 65535.0, 2147483647.0, 4294967295.0};
+        const double value = is_float(slot) ? v_[slot] : v_[slot] / kLargest[int(types_[slot])];
+        if (value >= 0.0 && value <= 1.0) return value;
+        ++out_of_range_;
+        return value > 1.0 ? 1.0 : 0.0;  // NaN is 0
+    }
+    float colour(Slot slot) {
+        const double value = share(slot);
+        return float(is_float(slot) ? value : srgb_decode(value));
+    }
+    float alpha() { return float(share(kAlpha)); }
 
-void read_vertices(const Element& element, Body& body, Mesh& mesh) {
+    const Element& element_;
+    Body& body_;
+    Mesh& mesh_;
+    std::vector<Slot> slots_;  ///< by property; kSlots = none
+    std::array<bool, kSlots> has_{};
+    std::array<Scalar, kSlots> types_{};
+    std::array<double, kSlots> v_{};
+    std::uint64_t out_of_range_ = 0;
+};
+
+void read_vertices(const Element& element, Body& body, Mesh& mesh, Diagnostics& diagnostics) {
     if (element.count > std::numeric_limits<std::uint32_t>::max()) {
         throw InputError(body.place(), "there are more vertices than a mesh can hold (4294967295)");
     }
-    const std::vector<int> slots = slots_of(element, body);
-    const bool normals = element.find("nx") && element.find("ny") && element.find("nz");
-    mesh.vertices.reserve(element.count);
-    if (normals) mesh.normals.reserve(element.count);
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-        std::array<double, 6> v{};
-        for (std::size_t p = 0; p < slots.size(); ++p) {
-            if (slots[p] < 0) {
-                skip(element.properties[p], body);
-            } else {
-                v[std::size_t(slots[p])] = body.number(element.properties[p].type);
-            }
-        }
-        mesh.vertices.push_back({{v[0], v[1], v[2]}});
-        if (normals) mesh.normals.push_back({{v[3], v[4], v[5]}});
-    }
+    const SourcePlace place = body.place();
+    if (const std::uint64_t count = VertexReader(element, body, mesh).read(); count > 0)
+        diagnostics.push_back(
+            {place,
+             fmt::format("{} colour values of vertices are outside 0 to 1: held there", count)});
 }
 
 /// The indices of one face into `corners`.
@@ -128,7 +187,7 @@ void read_faces(const Element& element, Body& body, Mesh& mesh) {
 
 }  // namespace
 
-Mesh parse_ply(const std::string& file, std::string_view bytes) {
+Mesh parse_ply(const std::string& file, std::string_view bytes, Diagnostics& diagnostics) {
     const Header header = ply::parse_header(file, bytes);
     const auto body = ply::make_body(file, bytes, header);
     Mesh mesh;
@@ -137,7 +196,7 @@ Mesh parse_ply(const std::string& file, std::string_view bytes) {
         check_count(element, *body);
         if (element.name == "vertex" && !has_vertices) {
             has_vertices = true;
-            read_vertices(element, *body, mesh);
+            read_vertices(element, *body, mesh, diagnostics);
         } else if (element.name == "face" && !has_faces) {
             has_faces = true;
             if (!has_vertices) throw InputError(body->place(), "faces stand before vertices");

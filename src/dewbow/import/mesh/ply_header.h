@@ -12,6 +12,7 @@
 namespace dewbow::ply {
 
 enum class Format { ascii, little_endian, big_endian };
+/// The types of numbers, whole ones first.
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 std::size_t size_of(Scalar scalar);

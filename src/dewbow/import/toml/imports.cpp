@@ -23,11 +23,13 @@ ParsedScene load_guest(const std::filesystem::path& path) {
     if (extension == ".gltf" || extension == ".glb") return load_gltf(path);
     if (extension == ".toml") {
         throw InputError("a scene file imports no other scene file",
-                         "import .gltf, .glb, .obj or .ply");
+                         "import .gltf, .glb, .obj, .ply or .stl");
     }
-    if (extension == ".obj" || extension == ".ply") return load_mesh_scene(path);
+    const auto& meshes = mesh_extensions();
+    if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end())
+        return load_mesh_scene(path);
     throw InputError({path.string(), 0, 0, {}}, "this is of no format that is imported", {},
-                     "import .gltf, .glb, .obj or .ply");
+                     "import .gltf, .glb, .obj, .ply or .stl");
 }
 
 std::vector<MaterialOverride> read_overrides(Table& import, const Scene& guest,
