@@ -5,6 +5,8 @@
 
 #include "dewbow/import/toml/glass.h"
 #include "dewbow/import/toml/spectra.h"
+#include "dewbow/import/toml/textures.h"
+#include "dewbow/optics/metal.h"
 
 namespace dewbow::toml_import {
 namespace {
@@ -17,45 +19,83 @@ constexpr int kMaxPriority = 1'000'000;
 struct MaterialContext {
     const std::string& name;
     const MaterialNames& names;
+    TextureFolder& pictures;
 };
 
-SpectrumPtr required_share(Table& table, std::string_view key) {
-    return read_spectrum(table.document(), table.require(key), key, SpectrumUse::share);
-}
-
-SpectrumPtr optional_share(Table& table, std::string_view key) {
+/// The colour of `key`; nothing if it is not there.
+ColourInput find_colour(Table& table, std::string_view key, const MaterialContext& context) {
     const TomlValue* value = table.find(key);
-    return value ? read_spectrum(table.document(), *value, key, SpectrumUse::share) : nullptr;
+    return value ? read_colour(table.document(), *value, key, context.pictures) : ColourInput();
 }
 
-Surface read_diffuse(Table& table, const MaterialContext&) {
-    return Diffuse{required_share(table, "reflectance")};
+ColourInput require_colour(Table& table, std::string_view key, const MaterialContext& context) {
+    return read_colour(table.document(), table.require(key), key, context.pictures);
 }
 
-Surface read_mirror(Table& table, const MaterialContext&) {
-    const SpectrumPtr reflectance = optional_share(table, "reflectance");
-    return Mirror{reflectance ? reflectance : make_constant(1.0)};
+NumberInput share(Table& table, std::string_view key, double otherwise,
+                  const MaterialContext& context) {
+    const TomlValue* value = table.find(key);
+    return value ? read_share(table.document(), *value, key, context.pictures)
+                 : NumberInput(otherwise);
+}
+
+Surface read_diffuse(Table& table, const MaterialContext& context) {
+    return Diffuse{require_colour(table, "reflectance", context)};
+}
+
+Surface read_mirror(Table& table, const MaterialContext& context) {
+    const ColourInput reflectance = find_colour(table, "reflectance", context);
+    return Mirror{reflectance ? reflectance : ColourInput(make_constant(1.0))};
 }
 
 Surface read_glass(Table& table, const MaterialContext& context) {
     Dielectric glass;
     const auto priority = table.integer("priority", -kMaxPriority, kMaxPriority, 0);
     glass.interior = read_medium(table, context.name, int(priority));
-    glass.roughness = table.number("roughness", kShareRange, 0.0);
-    glass.tint = optional_share(table, "tint");
+    glass.roughness = share(table, "roughness", 0.0, context);
+    glass.tint = find_colour(table, "tint", context);
     return glass;
 }
 
-Surface read_thin_glass(Table& table, const MaterialContext&) {
-    return ThinDielectric{read_index(table), optional_share(table, "tint")};
+Surface read_thin_glass(Table& table, const MaterialContext& context) {
+    ThinDielectric glass;
+    glass.index = read_index(table);
+    glass.tint = find_colour(table, "tint", context);
+    glass.roughness = share(table, "roughness", 0.0, context);
+    return glass;
 }
 
-Surface read_metallic_roughness(Table& table, const MaterialContext&) {
+Surface read_metal(Table& table, const MaterialContext& context) {
+    Conductor surface;
+    const TomlDocument& document = table.document();
+    for (const char* key : {"n", "k"}) table.at_most_one_of({"metal", key});
+    if (const TomlValue* value = table.find("metal")) {
+        const std::string& name = read_text(document, *value, "metal");
+        const Metal& metal =
+            at_place(document, value->place, [&]() -> const Metal& { return find_metal(name); });
+        surface.n = metal.n, surface.k = metal.k;
+    } else if (table.find("n") || table.find("k")) {
+        surface.n = read_spectrum(document, table.require("n"), "n", SpectrumUse::index);
+        surface.k = read_spectrum(document, table.require("k"), "k", SpectrumUse::index);
+    } else {
+        table.require("metal");
+    }
+    surface.roughness = share(table, "roughness", 0.0, context);
+    return surface;
+}
+
+Surface read_metallic_roughness(Table& table, const MaterialContext& context) {
     MetallicRoughness surface;
-    surface.base_colour = required_share(table, "base_colour");
-    surface.metalness = table.number("metalness", kShareRange, surface.metalness.value);
-    surface.roughness = table.number("roughness", kShareRange, surface.roughness.value);
+    surface.base_colour = require_colour(table, "base_colour", context);
+    surface.metalness = share(table, "metalness", surface.metalness.value, context);
+    surface.roughness = share(table, "roughness", surface.roughness.value, context);
     surface.ior = table.number("ior", kSurfaceIndexRange, surface.ior);
+    surface.specular = share(table, "specular", surface.specular.value, context);
+    surface.specular_colour = find_colour(table, "specular_colour", context);
+    surface.clearcoat = share(table, "clearcoat", 0.0, context);
+    surface.clearcoat_roughness = share(table, "clearcoat_roughness", 0.0, context);
+    surface.sheen_colour = find_colour(table, "sheen_colour", context);
+    surface.sheen_roughness = share(table, "sheen_roughness", 0.0, context);
     return surface;
 }
 
@@ -63,7 +103,7 @@ Surface read_mix(Table& table, const MaterialContext& context) {
     Mix mix;
     mix.first = context.names.read(table.document(), table.require("first"), "first");
     mix.second = context.names.read(table.document(), table.require("second"), "second");
-    mix.second_share = table.number("second_share", kShareRange, mix.second_share.value);
+    mix.second_share = share(table, "second_share", mix.second_share.value, context);
     return mix;
 }
 
@@ -81,6 +121,7 @@ const std::vector<MaterialType>& material_types() {
         {"glass", read_glass},
         {"thin-glass", read_thin_glass},
         {"metallic-roughness", read_metallic_roughness},
+        {"metal", read_metal},
         {"mix", read_mix},
         {"black", read_black},
     };
@@ -94,16 +135,30 @@ const MaterialType& read_type(Table& table) {
     return material_types()[read_choice(table.document(), value, "material type", names)];
 }
 
+std::optional<Coverage> read_coverage(Table& table, TextureFolder& pictures) {
+    const TomlValue* alpha = table.find("alpha");
+    const auto cutoff = table.find_number("alpha_cutoff", kShareRange);
+    const bool vertex_alpha = table.boolean("vertex_alpha", false);
+    if (!alpha && !cutoff && !vertex_alpha) return std::nullopt;
+    Coverage coverage;
+    if (alpha) coverage.alpha = read_alpha(table.document(), *alpha, pictures);
+    coverage.vertex_alpha = vertex_alpha;
+    coverage.cutoff = cutoff;
+    return coverage;
+}
+
 Material read_material(const TomlDocument& document, const TomlEntry& entry,
-                       const MaterialNames& names) {
+                       const MaterialNames& names, TextureFolder& pictures) {
     Table table(document, entry.value, fmt::format("[materials.{}]", entry.key));
     Material material;
     material.name = entry.key;
-    material.surface = read_type(table).read(table, {entry.key, names});
-    if (const TomlValue* emission = table.find("emission")) {
-        material.emission = read_spectrum(document, *emission, "emission", SpectrumUse::radiance);
-    }
+    material.surface = read_type(table).read(table, {entry.key, names, pictures});
+    if (const TomlValue* emission = table.find("emission"))
+        read_emission(document, *emission, pictures, material);
     material.two_sided_emission = table.boolean("two_sided_emission", false);
+    material.coverage = read_coverage(table, pictures);
+    if (const TomlValue* map = table.find("normal_map"))
+        material.normal_map = read_normal_map(document, *map, pictures);
     table.finish();
     return material;
 }
@@ -168,7 +223,7 @@ int MaterialNames::read(const TomlDocument& document, const TomlValue& value,
 }
 
 MaterialNames read_materials(const TomlDocument& document, const TomlValue* materials,
-                             Scene& scene) {
+                             const std::filesystem::path& folder, Scene& scene) {
     MaterialNames names;
     if (!materials) return names;
     const Table check(document, *materials, "[materials]");
@@ -176,7 +231,9 @@ MaterialNames read_materials(const TomlDocument& document, const TomlValue* mate
     const TomlValue::Table& entries = *materials->table();
     const std::size_t first = scene.materials.size();
     for (std::size_t i = 0; i < entries.size(); ++i) names.add(entries[i].key, int(first + i));
-    for (const TomlEntry& entry : entries) scene.add(read_material(document, entry, names));
+    TextureFolder pictures(folder);
+    for (const TomlEntry& entry : entries)
+        scene.add(read_material(document, entry, names, pictures));
     MixCheck(document, entries, scene, first).run();
     return names;
 }

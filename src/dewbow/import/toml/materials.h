@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// [materials.NAME] tables. Every one may give off light: `emission` and `two_sided_emission`.
+// [materials.NAME] tables. Every one may give off light: `emission` and `two_sided_emission`;
+// and may be there in part: `alpha`, `alpha_cutoff`, `vertex_alpha`; and have a `normal_map`.
 //
 //     type = "diffuse"             reflectance
 //     type = "mirror"              reflectance = 1
 //     type = "glass"               glass | dispersion | ior [abbe], roughness = 0, tint,
-//     absorption…, priority = 0 type = "thin-glass"          glass | dispersion | ior [abbe], tint
-//     type = "metallic-roughness"  base_colour, metalness = 1, roughness = 1, ior = 1.5
+//                                  absorption…, priority = 0
+//     type = "thin-glass"          glass | dispersion | ior [abbe], roughness = 0, tint
+//     type = "metal"               metal | n and k, roughness = 0
+//     type = "metallic-roughness"  base_colour, metalness = 1, roughness = 1, ior = 1.5,
+//                                  specular = 1, specular_colour, clearcoat = 0,
+//                                  clearcoat_roughness = 0, sheen_colour, sheen_roughness = 0
 //     type = "mix"                 first, second, second_share = 0.5
 //     type = "black"
+//
+// Colours and numbers may be textures (textures.h).
 
+#include <filesystem>
 #include <unordered_map>
 
 #include "dewbow/import/toml/table.h"
@@ -30,8 +38,9 @@ private:
     std::vector<std::string> names_;
 };
 
-/// Adds the materials of the table `materials` to `scene`. nullptr adds none.
+/// Adds the materials of the table `materials` to `scene`. Pictures lie in `folder`. nullptr adds
+/// none.
 MaterialNames read_materials(const TomlDocument& document, const TomlValue* materials,
-                             Scene& scene);
+                             const std::filesystem::path& folder, Scene& scene);
 
 }  // namespace dewbow::toml_import

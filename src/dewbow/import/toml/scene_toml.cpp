@@ -111,7 +111,7 @@ ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text
     read_film(document, film, scene.film);
     read_render(document, root.find("render"), scene.render);
     read_surroundings(document, root.find("surroundings"), scene);
-    const MaterialNames names = read_materials(document, root.find("materials"), scene);
+    const MaterialNames names = read_materials(document, root.find("materials"), folder, scene);
     read_shapes(document, root.find("shapes"), names, folder, scene, parsed.diagnostics);
     read_lights(document, root.find("lights"), folder, scene, parsed.diagnostics);
     const bool lit_itself = brings_light(scene);

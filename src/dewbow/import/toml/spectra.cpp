@@ -18,7 +18,7 @@ constexpr Range kLineWidths{0.01, 100.0};
 constexpr Range kBlackbodyRange{500.0, 1e6};
 
 bool is_light(SpectrumUse use) {
-    return use != SpectrumUse::share && use != SpectrumUse::absorption;
+    return use != SpectrumUse::share && use != SpectrumUse::absorption && use != SpectrumUse::index;
 }
 
 const Range& range_of(SpectrumUse use) {
@@ -27,10 +27,11 @@ const Range& range_of(SpectrumUse use) {
 
 SpectrumPtr spectrum_of_rgb(const TomlDocument& document, const TomlValue& value,
                             std::string_view name, SpectrumUse use) {
-    if (use == SpectrumUse::absorption) {
-        fail(
-            document, value.place, fmt::format("{} is no colour", name),
-            "write a number, { lambda_nm, values }, or absorption_colour with absorption_depth_mm");
+    if (use == SpectrumUse::absorption || use == SpectrumUse::index) {
+        fail(document, value.place, fmt::format("{} is no colour", name),
+             use == SpectrumUse::index ? "write a number or { lambda_nm, values }"
+                                       : "write a number, { lambda_nm, values }, or "
+                                         "absorption_colour with absorption_depth_mm");
     }
     const Vec3 v = read_vec3(document, value, name, range_of(use));
     const Colour<LinearSrgb> rgb{{v.x, v.y, v.z}};
@@ -126,7 +127,7 @@ SpectrumPtr spectrum_of_table(const TomlDocument& document, const TomlValue& val
     if (!spectrum) {
         if (const TomlValue* lambdas = table.find("lambda_nm")) {
             spectrum = tabulated_of(table, *lambdas, use);
-        } else if (use == SpectrumUse::absorption) {
+        } else if (use == SpectrumUse::absorption || use == SpectrumUse::index) {
             table.finish();
             table.fail_here("needs lambda_nm and values");
         } else if (const TomlValue* rgb = table.find("rgb")) {
