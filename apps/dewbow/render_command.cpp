@@ -87,6 +87,7 @@ Scene load(const RenderCommand& command) {
     ImportedScene imported = load_scene(command.scene_file, {.camera = command.camera});
     print_diagnostics(imported.diagnostics);
     apply_options(command, imported.scene);
+    validate_view(imported.scene);
     return std::move(imported.scene);
 }
 

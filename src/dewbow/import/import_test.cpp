@@ -195,6 +195,16 @@ TEST_F(ImportTest, TheFirstCameraOfAGltfTakesThePictureAndTheOthersAreNamed) {
     EXPECT_TRUE(chosen.diagnostics.empty());
 }
 
+TEST_F(ImportTest, OrthographicPicturesGrowWithTheirImport) {
+    gltf_test::Parts parts = lit_triangle();
+    parts.rest = R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}},
+        "cameras": [{"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1}}])";
+    write("ring.gltf", gltf_test::text_of(parts));
+    const Scene scene =
+        load_scene(write("s.toml", "[[imports]]\nfile = \"ring.gltf\"\nscale = 3\n")).scene;
+    EXPECT_NEAR(std::get<Orthographic>(scene.camera.projection).height.to(unit::m), 6.0, 1e-12);
+}
+
 TEST_F(ImportTest, CamerasThatAreNotThereAreErrors) {
     const auto error_of = [](const std::string& path, const std::string& camera) {
         try {

@@ -64,6 +64,9 @@ Affine without_scale(const Affine& affine) {
 }
 
 CameraView moved(CameraView camera, const Affine& world_from_guest) {
+    if (auto* orthographic = std::get_if<Orthographic>(&camera.projection))
+        orthographic->height *= length(
+            world_from_guest.apply_linear(camera.world_from_camera(Dir<Camera>{{0, 1, 0}}).v));
     camera.world_from_camera = Transform<World, Camera>(
         without_scale(world_from_guest * camera.world_from_camera.affine()));
     return camera;

@@ -18,7 +18,8 @@ struct MaterialOverride {
 void merge(Scene& host, const Scene& guest, const Affine& world_from_guest,
            const std::vector<MaterialOverride>& overrides);
 
-/// The camera as it stands after the move: no scale and no mirror image is left in it.
+/// The camera as it stands after the move: no scale and no mirror image is left in its frame. An
+/// orthographic picture's height grows with the scale.
 CameraView moved(CameraView camera, const Affine& world_from_guest);
 
 /// A frame with the origin, the −z and the y of `affine`, orthonormal.

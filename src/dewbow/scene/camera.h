@@ -3,10 +3,12 @@
 
 // Where the picture is taken from, and on what.
 
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "dewbow/math/transform.h"
+#include "dewbow/optics/dispersion.h"
 #include "dewbow/spectrum/cie.h"
 
 namespace dewbow {
@@ -17,14 +19,52 @@ struct Perspective {
     Angle vertical_field_of_view = 40.0 * unit::deg;
 };
 
+/// All lines of sight are parallel to the axis.
+struct Orthographic {
+    /// Of what the picture shows, from its lower to its upper edge.
+    Length height = 2.0 * unit::m;
+};
+
+/// Every direction, equirectangular: row 0 is straight up (the camera's +y), the middle of the
+/// picture straight ahead, and longitude grows to the right. What it takes is an ImageEnvironment.
+struct Panorama {};
+
 /// Which line of sight belongs to a point of the picture.
-using Projection = std::variant<Perspective>;
+using Projection = std::variant<Perspective, Orthographic, Panorama>;
+
+/// The glass of a single thin lens, which has another focal length at each wavelength.
+struct LensGlass {
+    DispersionPtr index;
+    Length focal_length;  ///< in air, at the d line
+};
+
+/// A lens in the plane z = 0 of a perspective camera: what lies at the focus distance is sharp.
+/// [Cook, Porter & Carpenter 1984]
+struct ThinLens {
+    Length aperture_radius;          ///< of the circle, or through the corners of the polygon
+    Length focus_distance;           ///< from the lens, along the axis; with a glass, at the d line
+    int blades = 0;                  ///< corners of the aperture, one of them upright; 0: a circle
+    std::optional<LensGlass> glass;  ///< none: all wavelengths are in focus together
+};
+
+enum class StereoLayout { side_by_side, over_under, left, right };
+
+/// Two eyes beside each other, which look parallel to the axis through shifted windows (off-axis
+/// frusta): nothing is tilted, so that no point is at different heights in the two pictures.
+struct StereoPair {
+    Length separation;   ///< from eye to eye, along x
+    Length convergence;  ///< distance along the axis at which both see a point at the same place
+    /// The eyes share the film, left eye left or above; or the film is one eye's.
+    StereoLayout layout = StereoLayout::side_by_side;
+};
 
 /// What takes the picture, and from where.
 struct CameraView {
     std::string name;
     Transform<World, Camera> world_from_camera;
     Projection projection;
+    std::optional<ThinLens> lens;
+    std::optional<StereoPair> stereo;
 };
 
 enum class FilterKind { box, gaussian, blackman_harris };

@@ -37,6 +37,7 @@ void check_unit(const std::string& who, const char* what, Vec3 v);
 void check_affine(const std::string& who, const Affine& affine);
 
 // The parts of validate().
+void check_camera(const CameraView& camera, const Film& film);
 void check_materials(const Scene& scene);
 void check_shapes(const Scene& scene);
 void check_lights(const Scene& scene);

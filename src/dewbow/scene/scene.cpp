@@ -23,9 +23,11 @@ CameraView frame_bounds(const Bounds& bounds, double aspect) {
     // From the front (+z), a little from the right and from above: three faces of a box show.
     const Vec3 to_eye = normalised({0.32, 0.26, 1.0});
     const Vec3 centre = bounds.empty() ? Vec3{} : bounds.centre();
-    const Perspective lens{30.0 * unit::deg};
-    CameraView camera{"framed", {}, lens};
-    const double half_height = tan(0.5 * lens.vertical_field_of_view);
+    const Perspective projection{30.0 * unit::deg};
+    CameraView camera;
+    camera.name = "framed";
+    camera.projection = projection;
+    const double half_height = tan(0.5 * projection.vertical_field_of_view);
     const Affine turned = looking_at(centre + to_eye, centre, {0.0, 1.0, 0.0});
     const Affine camera_from_world = turned.inverse().value();
     std::array<Vec3, 8> seen{};  // the corners from the centre, in the camera's frame

@@ -77,5 +77,7 @@ std::shared_ptr<const ImageEnvironment> make_studio_environment();
 /// Throws InputError naming the first thing that no renderer could work with: an index out of
 /// range, a missing spectrum, a number out of its range.
 void validate(const Scene& scene);
+/// The part of it that is about camera, film and rendering.
+void validate_view(const Scene& scene);
 
 }  // namespace dewbow

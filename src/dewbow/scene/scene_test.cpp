@@ -142,11 +142,56 @@ std::shared_ptr<Mesh> triangle() {
     return mesh;
 }
 
+ThinLens lens_of(double aperture_m, double focus_m) {
+    ThinLens lens;
+    lens.aperture_radius = aperture_m * unit::m;
+    lens.focus_distance = focus_m * unit::m;
+    return lens;
+}
+
 const Fault kFaults[] = {
     {[](Scene& s) { s.camera.projection = Perspective{180.0 * unit::deg}; },
      "the vertical field of view is 180"},
     {[](Scene& s) { s.camera.projection = Perspective{kNan * unit::deg}; },
      "the vertical field of view is nan"},
+    {[](Scene& s) { s.camera.projection = Orthographic{-1.0 * unit::m}; },
+     "camera \"\": height is -1; it must be greater than 0"},
+    {[](Scene& s) { s.camera.lens = lens_of(-0.01, 2.0); }, "aperture radius is -0.01"},
+    {[](Scene& s) { s.camera.lens = lens_of(0.01, kNan); }, "focus distance is nan"},
+    {[](Scene& s) {
+         s.camera.lens = lens_of(0.01, 2.0);
+         s.camera.lens->blades = 2;
+     },
+     "the number of blades is 2; it must be between 3 and 64"},
+    {[](Scene& s) {
+         s.camera.lens = lens_of(0.01, 2.0);
+         s.camera.lens->glass = LensGlass{air(), 0.1 * unit::m};
+     },
+     "the glass of its lens has the index 1 in air, and bends nothing"},
+    {[](Scene& s) {
+         s.camera.lens = lens_of(0.01, 0.05);
+         s.camera.lens->glass = LensGlass{make_dispersion({"abbe", {1.7, 30.0}}), 0.1 * unit::m};
+     },
+     "the focus distance is 0.05 m; it must be greater than the focal length, 0.1 m"},
+    {[](Scene& s) {
+         s.camera.lens = lens_of(0.01, 2.0);
+         s.camera.projection = Panorama{};
+     },
+     "it has a lens; only a perspective camera can"},
+    {[](Scene& s) {
+         s.camera.stereo = StereoPair{0.06 * unit::m, 3.0 * unit::m};
+         s.camera.projection = Orthographic{};
+     },
+     "it is a stereo pair; only a perspective camera can be one"},
+    {[](Scene& s) {
+         s.camera.stereo = StereoPair{0.06 * unit::m, 0.0 * unit::m};
+     },
+     "convergence distance is 0"},
+    {[](Scene& s) {
+         s.camera.stereo = StereoPair{0.06 * unit::m, 3.0 * unit::m};
+         s.film.width = 961;
+     },
+     "two eyes side by side share the width; 961 pixels are odd"},
     {[](Scene& s) { s.film.width = 0; }, "film: width is 0; it must be between 1 and 65536"},
     {[](Scene& s) { s.film.white_luminance = 0.0; }, "film: white luminance is 0"},
     {[](Scene& s) { s.film.filter.radius = kInf; }, "film: filter radius is inf"},

@@ -11,18 +11,6 @@ using namespace checks;
 constexpr int kMaxPictureSide = 65536;
 constexpr double kMaxFilterRadius = 16.0;
 
-void check_camera(const CameraView& camera) {
-    const std::string who = fmt::format("camera \"{}\"", camera.name);
-    check_affine(who, camera.world_from_camera.affine());
-    const double degrees =
-        std::get<Perspective>(camera.projection).vertical_field_of_view.to(unit::deg);
-    if (degrees > 0.0 && degrees < 180.0) return;
-    fail(who,
-         fmt::format("the vertical field of view is {} deg; it must be between 0 and 180 deg, both "
-                     "excluded",
-                     degrees));
-}
-
 void check_film(const Film& film) {
     const std::string who = "film";
     check_range(who, "width", film.width, 1, kMaxPictureSide);
@@ -47,10 +35,14 @@ void check_render(const RenderSettings& render) {
 
 }  // namespace
 
-void validate(const Scene& scene) {
-    check_camera(scene.camera);
+void validate_view(const Scene& scene) {
     check_film(scene.film);
+    check_camera(scene.camera, scene.film);
     check_render(scene.render);
+}
+
+void validate(const Scene& scene) {
+    validate_view(scene);
     check_medium("surroundings", scene.surroundings);
     check_materials(scene);
     check_shapes(scene);

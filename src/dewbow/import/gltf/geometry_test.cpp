@@ -273,6 +273,17 @@ TEST(GltfLights, WrongOnesAreErrors) {
         std::string::npos);
 }
 
+TEST(GltfCameras, OrthographicOnesStateHalfTheirHeight) {
+    Parts parts;
+    parts.roots = "[0, 1]";
+    parts.nodes = R"([{"mesh": 0}, {"camera": 0}])";
+    parts.rest = R"(, "cameras": [{"type": "orthographic",
+        "orthographic": {"xmag": 2.0, "ymag": 1.5, "zfar": 10, "znear": 0.01}}])";
+    const ParsedScene parsed = parse(parts);
+    ASSERT_EQ(parsed.scene.cameras.size(), 1u);
+    EXPECT_EQ(std::get<Orthographic>(parsed.scene.cameras[0].projection).height.to(unit::m), 3.0);
+}
+
 TEST(GltfCameras, LookAlongMinusZWhateverTheScale) {
     Parts parts;
     parts.roots = "[0, 1]";

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "dewbow/base/file.h"
+#include "dewbow/import/toml/camera.h"
 #include "dewbow/import/toml/glass.h"
 #include "dewbow/import/toml/imports.h"
 #include "dewbow/import/toml/lights.h"

@@ -20,6 +20,7 @@ struct WrongScene {
 // A material and a shape to go on with.
 #define GREY "[materials.grey]\ntype = \"diffuse\"\nreflectance = 0.5\n"
 #define BALL "[[shapes]]\ntype = \"sphere\"\nmaterial = \"grey\"\n"
+#define VIEW "[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n"
 
 constexpr WrongScene kWrongScenes[] = {
     // The document
@@ -47,6 +48,33 @@ constexpr WrongScene kWrongScenes[] = {
     {"[camera]\nposition = [0, 0, 0]\n§position_mm = [0, 0, 0]\nlook_at = [0, 0, 1]",
      "position and position_mm say the same thing"},
     {"[camera]\nfrom = §\"ring\"", "there is no import \"ring\""},
+    {VIEW "projection = §\"ortographic\"", "did you mean \"orthographic\"?"},
+    {"§" VIEW "projection = \"orthographic\"", "[camera] needs height_m"},
+    {VIEW "projection = \"orthographic\"\nheight_m = §-2", "height_m is -2"},
+    {VIEW "projection = \"panorama\"\n§vertical_fov_deg = 40", "unknown key \"vertical_fov_deg\""},
+    {VIEW "projection = \"panorama\"\nlens = §{ f_number = 2 }",
+     "[camera] is a panorama; only a perspective camera has a lens"},
+    {VIEW "projection = \"orthographic\"\nheight_m = 2\nstereo = §{ separation_mm = 63 }",
+     "[camera] is orthographic; only a perspective camera has a stereo"},
+    {VIEW "lens = { aperture_radius_mm = §-5, focus_distance_m = 2 }", "aperture_radius_mm is -5"},
+    {VIEW "lens = §{ focus_distance_m = 2 }",
+     "lens of [camera] needs aperture_radius_mm, or f_number and focal_length_mm"},
+    {VIEW "lens = §{ f_number = 2, focus_distance_m = 2 }", "needs focal_length_mm with it"},
+    {VIEW "lens = §{ f_number = 2, focal_length_mm = 50, aperture_radius_mm = 3 }",
+     "has both aperture_radius and f_number; keep one"},
+    {VIEW "lens = §{ aperture_radius_mm = 5 }", "needs focus_distance_m or focus_on"},
+    {VIEW "lens = §{ aperture_radius_mm = 5, focus_on = [0, 0, 6] }",
+     "focuses on a point that does not lie in front of the camera"},
+    {VIEW "lens = §{ f_number = 2, focal_length_mm = 50, focus_distance_mm = 40 }",
+     "focuses on 0.04 m, which is not beyond its focal length, 0.05 m"},
+    {VIEW "lens = §{ aperture_radius_mm = 5, focus_distance_m = 2, glass = \"N-BK7\" }",
+     "is of glass and needs focal_length_mm"},
+    {VIEW "lens = { aperture_radius_mm = 5, focus_distance_m = 2, blades = §2 }",
+     "blades is 2; it must be between 3 and 64"},
+    {VIEW "stereo = { separation_mm = 63, convergence_m = 3, layout = §\"sidebyside\" }",
+     "did you mean \"side-by-side\"?"},
+    {VIEW "stereo = §{ separation_mm = 63 }", "stereo of [camera] needs convergence_m"},
+    {VIEW "stereo = { separation_mm = §0, convergence_m = 3 }", "separation_mm is 0"},
     {"cameras = §3", "write [cameras.NAME] above each"},
     {"[cameras]\nleft = §3", "[cameras.left] is the number 3; expected a table"},
     {"§[cameras.left]\nlook_at = [0, 0, 0]", "[cameras.left] needs position"},

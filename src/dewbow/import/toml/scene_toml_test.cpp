@@ -61,6 +61,38 @@ TEST(SceneToml, NothingIsAnEmptyScene) {
     EXPECT_EQ(parsed.scene.surroundings->index, air());
 }
 
+TEST(SceneToml, LensesStereoPairsAndProjections) {
+    const ParsedScene parsed = parse(R"(
+        [cameras.lens]
+        position = [0, 0, 5]
+        look_at = [0, 0, 0]
+        lens = { f_number = 2, focal_length_mm = 80, focus_on = [1, 2, 1], blades = 6, glass = "N-BK7" }
+        stereo = { separation_mm = 63, convergence_m = 3, layout = "over-under" }
+        [cameras.plan]
+        position = [0, 5, 0]
+        look_at = [0, 0, 0]
+        up = [0, 0, -1]
+        projection = "orthographic"
+        height_cm = 250
+        [cameras.round]
+        position = [0, 1, 0]
+        look_at = [0, 1, -1]
+        projection = "panorama"
+    )");
+    const auto& cameras = parsed.scene.cameras;
+    ASSERT_EQ(cameras.size(), 3u);
+    EXPECT_EQ(cameras[0].name, "lens");
+    EXPECT_NEAR(cameras[0].lens->aperture_radius.to(unit::mm), 20.0, kRounding);
+    EXPECT_NEAR(cameras[0].lens->focus_distance.to(unit::m), 4.0, kRounding);
+    EXPECT_EQ(cameras[0].lens->blades, 6);
+    EXPECT_NEAR(cameras[0].lens->glass->focal_length.to(unit::m), 0.08, kRounding);
+    EXPECT_NEAR(cameras[0].stereo->separation.to(unit::mm), 63.0, kRounding);
+    EXPECT_NEAR(cameras[0].stereo->convergence.to(unit::m), 3.0, kRounding);
+    EXPECT_EQ(cameras[0].stereo->layout, StereoLayout::over_under);
+    EXPECT_EQ(std::get<Orthographic>(cameras[1].projection).height.to(unit::m), 2.5);
+    EXPECT_TRUE(std::holds_alternative<Panorama>(cameras[2].projection));
+}
+
 TEST(SceneToml, CameraFilmAndRender) {
     const ParsedScene parsed = parse(R"(
         [camera]

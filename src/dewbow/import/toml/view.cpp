@@ -6,12 +6,9 @@
 #include <array>
 #include <limits>
 
-#include "dewbow/import/toml/placement.h"
-
 namespace dewbow::toml_import {
 namespace {
 
-constexpr Range kFieldOfViewRange_deg{0.0, 180.0, true, true};
 constexpr Range kFilterRadiusRange{0.1, 16.0};
 constexpr Range kExposureRange{-100.0, 100.0};
 constexpr Range kLuminanceRange{1e-9, kHuge};
@@ -59,15 +56,6 @@ int read_packet(Table& table, int otherwise) {
 }
 
 }  // namespace
-
-CameraView read_camera(Table& table, const std::string& name) {
-    CameraView camera;
-    camera.name = name;
-    camera.world_from_camera = Transform<World, Camera>(read_viewpoint(table));
-    camera.projection =
-        Perspective{table.number("vertical_fov_deg", kFieldOfViewRange_deg, 40.0) * unit::deg};
-    return camera;
-}
 
 void read_film(const TomlDocument& document, const TomlValue* value, Film& film) {
     if (!value) return;

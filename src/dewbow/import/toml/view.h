@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// [camera], [film], [render]: how the picture is taken.
+// [film], [render]: how the picture is taken. ([camera]: camera.h.)
 
 #include "dewbow/import/toml/table.h"
 #include "dewbow/scene/scene.h"
 
 namespace dewbow::toml_import {
-
-/// position, look_at, up = [0, 1, 0], vertical_fov_deg = 40. (`from` is read by the caller.)
-CameraView read_camera(Table& table, const std::string& name);
 
 /// width = 960, height = 540, filter = "blackman-harris", filter_radius_px = 1.5 (box: 0.5),
 /// exposure_stops = 0, white_luminance_cd_m2, spectral_bins = 0.

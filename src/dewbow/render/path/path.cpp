@@ -59,8 +59,12 @@ PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std:
     const SampleKey key(stream_key(settings.seed, std::uint32_t(x), std::uint32_t(y)), index);
     const WavelengthPacket wavelengths =
         sample_wavelengths(settings.wavelengths, settings.packet, key.one(0, Purpose::wavelength));
-    return trace_sample(prepared, prepared.camera.ray(x, y, key), prepared.camera_media,
-                        wavelengths, key);
+    const CameraRays& camera = prepared.camera;
+    const Ray ray = camera.ray(x, y, key);
+    if (!camera.disperses())
+        return trace_sample(prepared, ray, prepared.camera_media, wavelengths, key);
+    return trace_open_sample(prepared, ray, camera.rays(x, y, key, wavelengths.lambdas()),
+                             prepared.camera_media, wavelengths, key);
 }
 
 std::unique_ptr<Estimator> make_path_estimator(const Scene& scene) {

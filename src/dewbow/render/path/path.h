@@ -40,6 +40,11 @@ PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std:
 PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
                          const WavelengthPacket& wavelengths, const SampleKey& key);
 
+/// The same where each lane arrives along its own ray of `rays`; the layers are of `first`.
+PixelSample trace_open_sample(const PreparedScene& prepared, const Ray& first, const RayLanes& rays,
+                              MediaStack media, const WavelengthPacket& wavelengths,
+                              const SampleKey& key);
+
 /// `scene` must outlive the estimator.
 std::unique_ptr<Estimator> make_path_estimator(const Scene& scene);
 

@@ -32,12 +32,43 @@ PixelSample Tracer::run(const Ray& ray, MediaStack media) {
     path.media = media;
     pending_.clear();
     trace(path);
+    finish_pending();
+    return result_;
+}
+
+PixelSample Tracer::run_open(const Ray& first, const RayLanes& rays, MediaStack media) {
+    result_.wavelengths = packet_;
+    const Hit hit = prepared_.accelerator.intersect(first);
+    if (hit && settings_.max_depth > 0)
+        see_first(vertex_at(first, hit), material_at(first, hit, vertex_key(0, 0)));
+    OpenPath open;
+    open.lanes = LaneSet::all(packet_);
+    open.rays = rays;
+    open.beta.v.fill(1.0);
+    open.media.fill(media);
+    open.active = (1u << rays.count) - 1u;
+    open.from_specular.fill(true);
+    open.last_pdf.v.fill(0.0);
+    pending_.clear();
+    trace_open(open);
+    finish_pending();
+    return result_;
+}
+
+/// What the layers of the first thing that is seen hold.
+void Tracer::see_first(const Vertex& vertex, int id) {
+    result_.hit = true;
+    result_.normal = dot(vertex.shading, vertex.wo) >= 0.0 ? vertex.shading : -vertex.shading;
+    result_.depth = prepared_.camera.depth_of(vertex.position);
+    result_.albedo = albedo_at(material(id), prepared_.albedo[std::size_t(id)], vertex.at);
+}
+
+void Tracer::finish_pending() {
     while (!pending_.empty()) {
         const SharedPath next = pending_.back();
         pending_.pop_back();
         trace(next);
     }
-    return result_;
 }
 
 void Tracer::trace(SharedPath path) {
@@ -71,12 +102,7 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
         vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
     const int id = material_at(path.ray, hit, at);
     const Material& material = this->material(id);
-    if (!result_.hit && path.depth == 0 && path.branch == 0) {
-        result_.hit = true;
-        result_.normal = dot(vertex.shading, vertex.wo) >= 0.0 ? vertex.shading : -vertex.shading;
-        result_.depth = dot(vertex.position - prepared_.camera.position(), prepared_.camera.axis());
-        result_.albedo = albedo_at(material, prepared_.albedo[std::size_t(id)], vertex.at);
-    }
+    if (!result_.hit && path.depth == 0 && path.branch == 0) see_first(vertex, id);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
                                 : smooth(path, vertex, *glass, prepared_.media.interior_of(id));

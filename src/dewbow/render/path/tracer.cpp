@@ -174,13 +174,11 @@ struct Scratch {
     std::vector<SharedPath> pending;
 };
 
-}  // namespace dewbow::path_tracing
-
-namespace dewbow {
-
-PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
-                         const WavelengthPacket& wavelengths, const SampleKey& key) {
-    thread_local path_tracing::Scratch scratch;
+/// What `run` makes of a tracer for this sample.
+template <class Run>
+PixelSample with_tracer(const PreparedScene& prepared, MediaStack media,
+                        const WavelengthPacket& wavelengths, const SampleKey& key, Run&& run) {
+    thread_local Scratch scratch;
     if (scratch.serial != prepared.serial) {
         scratch.serial = prepared.serial;
         scratch.media.emplace(prepared.media);
@@ -188,9 +186,27 @@ PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaSta
     scratch.media->begin(wavelengths);
     scratch.rgb.light.begin(wavelengths);
     scratch.rgb.reflectance.begin(wavelengths);
-    return path_tracing::Tracer(prepared, wavelengths, key, media, *scratch.media, scratch.rgb,
-                                scratch.pending)
-        .run(ray, media);
+    return run(
+        Tracer(prepared, wavelengths, key, media, *scratch.media, scratch.rgb, scratch.pending));
+}
+
+}  // namespace dewbow::path_tracing
+
+namespace dewbow {
+
+PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
+                         const WavelengthPacket& wavelengths, const SampleKey& key) {
+    return path_tracing::with_tracer(
+        prepared, media, wavelengths, key,
+        [&](path_tracing::Tracer&& tracer) { return tracer.run(ray, media); });
+}
+
+PixelSample trace_open_sample(const PreparedScene& prepared, const Ray& first, const RayLanes& rays,
+                              MediaStack media, const WavelengthPacket& wavelengths,
+                              const SampleKey& key) {
+    return path_tracing::with_tracer(
+        prepared, media, wavelengths, key,
+        [&](path_tracing::Tracer&& tracer) { return tracer.run_open(first, rays, media); });
 }
 
 }  // namespace dewbow

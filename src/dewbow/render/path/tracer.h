@@ -13,6 +13,10 @@
 // a path every choice has one density for all of them, and afterwards each has its own. The lane
 // that goes on is weighted by the inverse of the expected number of times that it does.
 //
+// Behind a lens with dispersion a path begins open. All lanes start at one point of the lens, whose
+// density is the same for each, so that it cancels against the mean over the aperture that a pixel
+// shows, and each lane begins with the throughput 1.
+//
 // Radiance is carried divided by the square of the index, which no boundary changes; the factor is
 // put back where light is found. [L / n² is invariant: Nicodemus 1963]
 //
@@ -109,8 +113,12 @@ public:
           pending_(pending) {}
 
     PixelSample run(const Ray& ray, MediaStack media);
+    /// Each lane on its own ray from the start; `first` is what the layers see.
+    PixelSample run_open(const Ray& first, const RayLanes& rays, MediaStack media);
 
 private:
+    void finish_pending();
+    void see_first(const Vertex& vertex, int id);
     void trace(SharedPath path);
     bool interact(SharedPath& path, const Hit& hit);
     bool scatter(SharedPath& path, const Vertex& vertex, const Material& material,
