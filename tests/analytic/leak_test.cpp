@@ -111,6 +111,19 @@ TEST(Leak, FacetedBall) { EXPECT_EQ(leaks_of_mirror_ball(kRays / 2, false), 0u);
 TEST(Leak, FacetedBallWithAStone) { EXPECT_EQ(leaks_of_mirror_ball(kRays / 2, true), 0u); }
 TEST(LongLeak, FacetedBallWithAStone) { EXPECT_EQ(leaks_of_mirror_ball(kLongRays, true), 0u); }
 
+/// The same hollow ball, stretched, as one of many shapes that share its mesh: 200 more stand
+/// around it, which is enough for the accelerator to trace them in their own frames.
+TEST(Leak, SharedFacetedBall) {
+    Scene scene = empty_scene(kDepth);
+    const auto ball = sphere_mesh(1.0, 3);
+    add(scene, ball, white_mirror(), kAskew * scaling({1.0, -0.6, 1.7}));
+    for (int i = 0; i < 200; ++i)
+        add(scene, ball, white_mirror(),
+            translation({3.0 + 2.0 * (i % 10), 2.0 * (i / 10 % 10), 2.0 * (i / 100)}) * kAskew);
+    add(scene, Sphere{0.01 * m}, {"stone", Black{}, nullptr, false}, kAskew);
+    EXPECT_EQ(leaks(scene, kRays / 4, 1, false), 0u);
+}
+
 /// The oracle of the test itself: without one of its walls the box is bright.
 TEST(Leak, IsSeenThroughOneMissingTriangle) {
     Scene scene = closed_box(Kind::mesh, flint());

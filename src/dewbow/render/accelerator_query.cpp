@@ -71,6 +71,8 @@ RTCRayHit load_ray_hit(const Query& query, int k, double limit) {
     return result;
 }
 
+Found found_by(const RTCHit& hit) { return {hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v}; }
+
 Context make_context(const RayLanes& rays, double limit, double scale, bool coherent) {
     Context context;
     rtcInitIntersectContext(&context.embree);
@@ -121,20 +123,27 @@ void AcceleratorTree::meet_planes(const RayLanes& rays, int k, Hit& hit) const {
     }
 }
 
-/// Fills in what Embree's record leaves out; `hit` holds geometry and primitive IDs.
-void AcceleratorTree::finish_lane(const RayLanes& rays, int k, Hit& hit) const {
-    if (hit.shape < 0) {
+/// The hit of what Embree found; `hit.t` is set.
+void AcceleratorTree::finish_lane(const RayLanes& rays, int k, const Found& found, Hit& hit) const {
+    hit.primitive = int(found.primitive);
+    hit.u = double(found.u);
+    hit.v = double(found.v);
+    if (found.geometry == RTC_INVALID_GEOMETRY_ID) {
+        hit.shape = -1;
         hit.t = kUnlimited;
-    } else if (std::size_t(hit.shape) < meshes.size()) {
-        const WorldMesh& mesh = meshes[std::size_t(hit.shape)];
+    } else if (found.geometry < meshes.size()) {
+        const WorldMesh& mesh = meshes[found.geometry];
         hit.shape = mesh.shape;
-        hit.normal = mesh.planes[std::size_t(hit.primitive)].normal;
+        hit.normal = mesh.planes[found.primitive].normal;
+    } else if (found.geometry == instance_geometry()) {
+        const Instance& instance = instances[found.instance];
+        hit.shape = instance.shape;
+        hit.normal = plane_of(instance, hit.primitive).normal;
     } else {
-        const auto which = std::size_t(hit.primitive);
-        hit.shape = analytic_shape[which];
-        hit.primitive = int(hit.u);
-        hit.normal =
-            analytic[which].normal(rays.origin(k) + rays.direction(k) * hit.t, hit.primitive);
+        hit.shape = analytic_shape[found.primitive];
+        hit.primitive = int(found.u);
+        hit.normal = analytic[found.primitive].normal(rays.origin(k) + rays.direction(k) * hit.t,
+                                                      hit.primitive);
     }
     if (!planes.empty()) meet_planes(rays, k, hit);
 }
@@ -160,13 +169,11 @@ LaneMask AcceleratorTree::leave_undisturbed(const RayLanes& rays, LaneMask mask,
         }
         for (LaneMask m = group; m; m &= m - 1)
             hits[std::size_t(std::countr_zero(m))].shape = from.shape;
-        const int mesh = mesh_of_shape[std::size_t(from.shape)];
-        if (mesh >= 0) {
-            meshes[std::size_t(mesh)].solid->leave(rays, group, hits);
+        if (const ConvexSolid* solid = solid_of(from.shape)) {
+            solid->leave(rays, group, hits);
             continue;
         }
-        const AnalyticShape& shape =
-            analytic[std::size_t(analytic_of_shape[std::size_t(from.shape)])];
+        const AnalyticShape& shape = analytic_of(from.shape);
         for (LaneMask m = group; m; m &= m - 1) {
             const int k = std::countr_zero(m);
             Hit& hit = hits[std::size_t(k)];
@@ -191,10 +198,10 @@ double AcceleratorTree::start_of(const Ray& ray) const {
 /// inward. (No body may be left unseen: its inside would be taken for the world.)
 void AcceleratorTree::look_back(const RayLanes& rays, int k, Hit& hit) const {
     const SurfaceFrom& from = rays.from[std::size_t(k)];
-    const WorldMesh& mesh = meshes[std::size_t(mesh_of_shape[std::size_t(from.shape)])];
-    const Vec3 inward = mesh.planes[std::size_t(from.primitive)].normal * (-kTouch * scale);
+    const Vec3 inward = plane_of(from.shape, from.primitive).normal * (-kTouch * scale);
     Context context = make_context(rays, hit.t, scale, false);
     context.query.back = true;
+    context.query.shift = inward;
     context.query.start[std::size_t(k)] = -kLookBack * scale;
     RTCRayHit single = load_ray_hit(context.query, k, kLookBack * scale);
     single.ray.org_x += float(inward.x);
@@ -209,12 +216,8 @@ void AcceleratorTree::look_back(const RayLanes& rays, int k, Hit& hit) const {
         rtcIntersect1(scene, &context.embree, &single);
     }
     if (single.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-    hit.shape = int(single.hit.geomID);
-    hit.primitive = int(single.hit.primID);
-    hit.u = double(single.hit.u);
-    hit.v = double(single.hit.v);
     hit.t = context.query.t[std::size_t(k)];
-    finish_lane(rays, k, hit);
+    finish_lane(rays, k, found_by(single.hit), hit);
 }
 
 void AcceleratorTree::intersect(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const {
@@ -225,16 +228,12 @@ void AcceleratorTree::intersect(const RayLanes& rays, LaneMask mask, std::span<H
         const int k = std::countr_zero(m);
         context.query.start[std::size_t(k)] = start_of(rays.ray(k));
     }
-    const auto finish = [&](int k, unsigned geometry, unsigned primitive, float u, float v) {
+    const auto finish = [&](int k, const Found& found) {
         Hit& hit = hits[std::size_t(k)];
-        hit.shape = int(geometry);
-        hit.primitive = int(primitive);
-        hit.u = double(u);
-        hit.v = double(v);
         hit.t = context.query.t[std::size_t(k)];
-        finish_lane(rays, k, hit);
+        finish_lane(rays, k, found, hit);
         const SurfaceFrom& from = rays.from[std::size_t(k)];
-        if (from.inward && mesh_of_shape[std::size_t(from.shape)] >= 0 &&
+        if (from.inward && is_mesh(from.shape) &&
             !(hit.shape == from.shape && dot(hit.normal, rays.direction(k)) > 0.0))
             look_back(rays, k, hit);
     };
@@ -243,7 +242,7 @@ void AcceleratorTree::intersect(const RayLanes& rays, LaneMask mask, std::span<H
             const int k = std::countr_zero(m);
             RTCRayHit single = load_ray_hit(context.query, k, kUnlimited);
             rtcIntersect1(scene, &context.embree, &single);
-            finish(k, single.hit.geomID, single.hit.primID, single.hit.u, single.hit.v);
+            finish(k, found_by(single.hit));
         }
         return;
     }
@@ -254,7 +253,8 @@ void AcceleratorTree::intersect(const RayLanes& rays, LaneMask mask, std::span<H
         trace(valid.data(), scene, &context.embree, &packet);
         for (LaneMask m = mask; m; m &= m - 1) {
             const int k = std::countr_zero(m);
-            finish(k, packet.hit.geomID[k], packet.hit.primID[k], packet.hit.u[k], packet.hit.v[k]);
+            finish(k, {packet.hit.geomID[k], packet.hit.primID[k], packet.hit.instID[0][k],
+                       packet.hit.u[k], packet.hit.v[k]});
         }
     };
     if (rays.count <= 4) {
@@ -294,7 +294,7 @@ bool AcceleratorTree::occluded(const Ray& ray, double distance) const {
     RTCRay single = load_ray(context.query, 0, limit);
     rtcOccluded1(scene, &context.embree, &single);
     if (single.tfar < 0.0f) return true;
-    if (!in_body || mesh_of_shape[std::size_t(from.shape)] < 0) return false;
+    if (!in_body || !is_mesh(from.shape)) return false;
     // Out of a mesh without meeting it? Only if the slower query agrees, which looks beside edges
     // too.
     Hit hit;

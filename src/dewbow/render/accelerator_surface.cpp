@@ -34,15 +34,19 @@ OnTriangle locate(const Mesh& mesh, int triangle, Vec3 point) {
 }
 
 /// The triangle that the point is on. Hits from within a convex solid name any of their facet.
-OnTriangle locate(const WorldMesh& mesh, const Hit& hit, Vec3 world_point) {
-    const Vec3 point = mesh.world_from_object->inverse_affine().apply(world_point);
-    OnTriangle best = locate(*mesh.mesh, hit.primitive, point);
-    if (!mesh.solid || best.inside() >= 0.0) return best;
-    for (const int other : mesh.solid->facet_triangles(hit.primitive)) {
-        const OnTriangle at = locate(*mesh.mesh, other, point);
+OnTriangle locate(const Mesh& mesh, const ConvexSolid* solid, int triangle, Vec3 point) {
+    OnTriangle best = locate(mesh, triangle, point);
+    if (!solid || best.inside() >= 0.0) return best;
+    for (const int other : solid->facet_triangles(triangle)) {
+        const OnTriangle at = locate(mesh, other, point);
         if (at.inside() > best.inside()) best = at;
     }
     return best;
+}
+OnTriangle locate(const AcceleratorTree& tree, const Hit& hit, Vec3 world_point) {
+    const Shape& shape = tree.described.shapes[std::size_t(hit.shape)];
+    return locate(tree.mesh_of(hit.shape), tree.solid_of(hit.shape), hit.primitive,
+                  shape.world_from_object.inverse_affine().apply(world_point));
 }
 
 /// The file's tangent, for flat and for smooth triangles.  [glTF 2.0, §3.7.2.1]
@@ -80,43 +84,40 @@ PictureAxes derivatives(const Mesh& mesh, const OnTriangle& at, int set) {
 }  // namespace
 
 SurfaceCoordinates Accelerator::coordinates(const Hit& hit, Vec3 point) const {
-    if (const WorldMesh* mesh = tree_->mesh_of(hit.shape)) {
-        const OnTriangle at = locate(*mesh, hit, point);
-        return coordinates_on(*mesh->mesh, at.triangle, at.u, at.v);
+    if (tree_->is_mesh(hit.shape)) {
+        const OnTriangle at = locate(*tree_, hit, point);
+        return coordinates_on(tree_->mesh_of(hit.shape), at.triangle, at.u, at.v);
     }
-    const SurfaceChart chart = tree_->analytic_at(hit.shape).chart(point, hit.primitive);
+    const SurfaceChart chart = tree_->analytic_of(hit.shape).chart(point, hit.primitive);
     return coordinates_on_chart(chart.u, chart.v);
 }
 
 PictureAxes Accelerator::picture_axes(const Hit& hit, Vec3 point, int texcoord_set) const {
-    const WorldMesh* mesh = tree_->mesh_of(hit.shape);
-    if (!mesh) {
-        const SurfaceChart chart = tree_->analytic_at(hit.shape).chart(point, hit.primitive);
+    if (!tree_->is_mesh(hit.shape)) {
+        const SurfaceChart chart = tree_->analytic_of(hit.shape).chart(point, hit.primitive);
         return {chart.du, -chart.dv};
     }
-    const OnTriangle at = locate(*mesh, hit, point);
-    const PictureAxes object = mesh->mesh->tangents.empty()
-                                   ? derivatives(*mesh->mesh, at, texcoord_set)
-                                   : file_tangents(*mesh->mesh, at);
-    const Affine& world_from_object = mesh->world_from_object->affine();
+    const OnTriangle at = locate(*tree_, hit, point);
+    const Mesh& mesh = tree_->mesh_of(hit.shape);
+    const PictureAxes object =
+        mesh.tangents.empty() ? derivatives(mesh, at, texcoord_set) : file_tangents(mesh, at);
+    const Affine& world_from_object =
+        tree_->described.shapes[std::size_t(hit.shape)].world_from_object.affine();
     return {world_from_object.apply_linear(object.right),
             world_from_object.apply_linear(object.up)};
 }
 
 Vec3 Accelerator::shading_normal(const Hit& hit) const {
     if (flat(hit.shape)) return hit.normal;
-    const WorldMesh& mesh = *tree_->mesh_of(hit.shape);
-    const auto& [a, b, c] = mesh.mesh->triangles[std::size_t(hit.primitive)];
-    const Vec3 n =
-        mesh.normals[a] * (1.0 - hit.u - hit.v) + mesh.normals[b] * hit.u + mesh.normals[c] * hit.v;
+    const auto& [a, b, c] = tree_->mesh_of(hit.shape).triangles[std::size_t(hit.primitive)];
+    const Vec3 n = tree_->vertex_normal(hit.shape, a) * (1.0 - hit.u - hit.v) +
+                   tree_->vertex_normal(hit.shape, b) * hit.u +
+                   tree_->vertex_normal(hit.shape, c) * hit.v;
     const double squared = dot(n, n);
     if (!(squared > 0.0) || dot(n, hit.normal) <= 0.0) return hit.normal;
     return n / std::sqrt(squared);
 }
 
-bool Accelerator::flat(int shape) const {
-    const WorldMesh* mesh = tree_->mesh_of(shape);
-    return !mesh || mesh->normals.empty();
-}
+bool Accelerator::flat(int shape) const { return tree_->flat(shape); }
 
 }  // namespace dewbow

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unordered_map>
+
 #include "dewbow/scene/scene.h"
 
 namespace dewbow {
@@ -69,16 +71,51 @@ void Bounds::add(Vec3 p) {
     high = max(high, p);
 }
 
+Bounds bounds_of_box(const Bounds& box, const Affine& to_from_box) {
+    Bounds corners, ball;
+    add_corners(corners, to_from_box, box.low, box.high);
+    add_round(ball, to_from_box * translation(box.centre()), box.radius(), 3);
+    Bounds both;
+    both.low = max(corners.low, ball.low);
+    both.high = min(corners.high, ball.high);
+    return both;
+}
+
 Bounds bounds_of(const Shape& shape) {
     Bounds bounds;
     std::visit(AddGeometry{bounds, shape.world_from_object.affine()}, shape.geometry);
     return bounds;
 }
 
+std::vector<Bounds> bounds_of_shapes(const Scene& scene) {
+    constexpr std::size_t kMostVertices = 10'000'000;  // of one mesh in all its places: 0.1 s
+    const auto mesh_of = [](const Shape& shape) {
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape.geometry);
+        return mesh ? mesh->get() : nullptr;
+    };
+    std::unordered_map<const Mesh*, std::size_t> uses;
+    for (const Shape& shape : scene.shapes)
+        if (const Mesh* mesh = mesh_of(shape)) ++uses[mesh];
+    std::unordered_map<const Mesh*, Bounds> boxes;
+    std::vector<Bounds> result;
+    result.reserve(scene.shapes.size());
+    for (const Shape& shape : scene.shapes) {
+        const Mesh* mesh = mesh_of(shape);
+        if (!mesh || uses[mesh] == 1 || uses[mesh] * mesh->vertices.size() <= kMostVertices) {
+            result.push_back(bounds_of(shape));
+            continue;
+        }
+        Bounds& box = boxes[mesh];
+        if (box.empty())
+            for (const Point<Object>& vertex : mesh->vertices) box.add(vertex.v);
+        result.push_back(bounds_of_box(box, shape.world_from_object.affine()));
+    }
+    return result;
+}
+
 Bounds bounds_of(const Scene& scene) {
     Bounds bounds;
-    for (const Shape& shape : scene.shapes) {
-        const Bounds own = bounds_of(shape);
+    for (const Bounds& own : bounds_of_shapes(scene)) {
         if (own.empty()) continue;
         bounds.add(own.low);
         bounds.add(own.high);

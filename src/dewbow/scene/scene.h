@@ -67,6 +67,11 @@ struct Bounds {
 /// Bounds of all shapes but infinite planes, in the world frame.
 Bounds bounds_of(const Scene& scene);
 Bounds bounds_of(const Shape& shape);
+/// Bounds of each shape; empty ones of infinite planes. Of a mesh that stands in very many places
+/// they may be wider than need be: the boxes around the mesh are turned, and not all its vertices.
+std::vector<Bounds> bounds_of_shapes(const Scene& scene);
+/// Bounds of what lies within `box`, and in the ball around it, after a map.
+Bounds bounds_of_box(const Bounds& box, const Affine& to_from_box);
 
 /// A camera at a three-quarter view that holds `bounds` wholly, for scenes that bring none.
 CameraView frame_bounds(const Bounds& bounds, double aspect);
