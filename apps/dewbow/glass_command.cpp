@@ -97,7 +97,7 @@ std::string text_of(const Glass& glass, const std::vector<Row>& rows, double abb
 }
 
 /// Here the name is of the command line, and wrong names are wrong use.
-const Glass& glass_of(const std::string& name) {
+Glass glass_of(const std::string& name) {
     try {
         return find_glass(name);
     } catch (const InputError& error) {
@@ -129,7 +129,7 @@ int run_glass_list(const GlassListCommand& command) {
 }
 
 int run_glass_show(const GlassShowCommand& command) {
-    const Glass& glass = glass_of(command.name);
+    const Glass glass = glass_of(command.name);
     const std::vector<Row> rows = rows_of(glass, command.at_nm);
     const double abbe = abbe_number(*make_dispersion(glass.data), *reference_of(glass));
     print_data(command.json ? json_of(glass, rows, abbe).dump() + "\n"

@@ -87,17 +87,21 @@ struct Setup {
     Kind kind;
     int packet;
 };
+/// A part of the catalogue is enough: 1662 glasses would take minutes.
+constexpr std::size_t kEveryGlass = 41;
+constexpr double kLeastIndex = 1.2;  ///< gases bend by less than the cones
+
 class MinimumDeviation : public ::testing::TestWithParam<Setup> {};
 
 TEST_P(MinimumDeviation, IsThatOfTheClosedForm) {
     const auto [kind, packet] = GetParam();
     double worst = 0.0;
     int glasses = 0;
-    for (const Glass& row : glass_catalogue()) {
+    for (std::size_t g = 0; g < glass_catalogue().size(); g += kEveryGlass) {
+        const Glass& row = glass_catalogue()[g];
         const MediumPtr interior = medium(make_dispersion(row.data));
-        if (index_of(*interior, wavelength(0)) / 1.0002 >= 2.0 ||
-            row.name.starts_with("fluid/vac") || row.name == "fluid/air")
-            continue;
+        const double violet = index_of(*interior, wavelength(0)) / 1.0002;
+        if (violet >= 2.0 || violet < kLeastIndex) continue;
         ++glasses;
         for (int i = 0; i < kWavelengths; ++i) {
             const double lambda_nm = wavelength(i);

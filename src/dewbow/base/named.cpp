@@ -70,6 +70,11 @@ std::string hint_for_name(std::string_view name, Names names) {
 
 }  // namespace
 
+std::optional<std::size_t> match_named(std::string_view name, Names names) {
+    const auto found = all_named(name, names);
+    return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
+}
+
 std::size_t find_named(std::string_view kind, std::string_view name, Names names) {
     const auto found = all_named(name, names);
     if (found.size() == 1) return found.front();

@@ -4,6 +4,7 @@
 // How people name what a catalogue holds: "schott/N-BK7", "n-bk7", "nbk7".
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,5 +17,8 @@ namespace dewbow {
 /// Throws InputError: unknown with the nearest names, or ambiguous with all of them.
 std::size_t find_named(std::string_view kind, std::string_view name,
                        std::span<const std::string> names);
+
+/// The same, or nothing where `name` means none of them or several.
+std::optional<std::size_t> match_named(std::string_view name, std::span<const std::string> names);
 
 }  // namespace dewbow

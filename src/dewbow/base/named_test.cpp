@@ -16,6 +16,12 @@ TEST(FindNamed, FoldsCaseAndHyphensAndLeavesTheGroupOut) {
     EXPECT_EQ(find_named("glass", "Dia mond", kNames), 2u);
 }
 
+TEST(MatchNamed, IsNothingWhereNoneOrSeveralAreMeant) {
+    EXPECT_EQ(match_named("diamond", kNames), 2u);
+    EXPECT_EQ(match_named("f2", kNames), std::nullopt);
+    EXPECT_EQ(match_named("quartz", kNames), std::nullopt);
+}
+
 TEST(FindNamed, RefusesWhatIsUnknownOrAmbiguous) {
     const auto refusal = [](const char* name, const std::vector<std::string>& names) {
         try {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <map>
 
 #include "dewbow/base/error.h"
 #include "dewbow/base/named.h"
@@ -15,107 +15,104 @@
 namespace dewbow {
 namespace {
 
-constexpr const char* kFileName = "data/glasses/catalogue.csv";
-constexpr std::string_view kHeader =
-    "name,description,form,coefficients,reference,n_d,V_d,lambda_min_nm,lambda_max_nm,source";
-enum Column {
-    kName,
-    kDescription,
-    kForm,
-    kCoefficients,
-    kReference,
-    kNd,
-    kVd,
-    kLambdaMin,
-    kLambdaMax,
-    kSource,
-    kColumns
-};
+constexpr std::string_view kExtinctionHeader = "name,lambda_nm_and_k,source";
+constexpr double kFreezing_K = 273.15;
 
-/// A row of the file, for what has to be said about it.
-struct Row {
-    std::vector<std::string> fields;
-    std::string_view text;
-    std::size_t line = 0;
-
-    InputError error(const std::string& sentence) const {
-        return InputError({kFileName, line, 0, {}}, sentence, std::string(text));
+void add_extinction(std::vector<Glass>& glasses) {
+    for (const auto& row : rows_of_csv(optics::data::extinction_csv(), kExtinctionHeader)) {
+        const auto glass = std::find_if(glasses.begin(), glasses.end(),
+                                        [&](const Glass& g) { return g.name == row[0]; });
+        if (glass == glasses.end()) continue;
+        const std::vector<double> numbers = numbers_of_field(row[1]);
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+            glass->k.push_back({numbers[i], numbers[i + 1]});
+        glass->k_source = row[2];
     }
-};
-
-double number(const Row& row, std::string_view text) {
-    if (const auto value = parse_number<double>(text)) return *value;
-    throw row.error(fmt::format("\"{}\" is not a number", text));
 }
 
-/// An empty field is 0: not published.
-double number_or_zero(const Row& row, std::string_view text) {
-    return text.empty() ? 0.0 : number(row, text);
-}
-
-std::vector<double> numbers(const Row& row, std::string_view text) {
-    std::vector<double> values;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        values.push_back(number(row, text.substr(0, end)));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return values;
-}
-
-IndexReference reference_named(const Row& row, std::string_view text) {
-    if (text == "air") return IndexReference::air;
-    if (text == "vacuum") return IndexReference::vacuum;
-    throw row.error(fmt::format("\"{}\"; expected air or vacuum", text));
-}
-
-Glass glass_from(const Row& row) {
-    const auto& f = row.fields;
-    if (f.size() != kColumns)
-        throw row.error(fmt::format("{} fields; expected {}", f.size(), int{kColumns}));
-    Glass glass;
-    glass.name = f[kName];
-    glass.description = f[kDescription];
-    glass.data = {f[kForm], numbers(row, f[kCoefficients]), reference_named(row, f[kReference])};
-    glass.n_d = number_or_zero(row, f[kNd]);
-    glass.v_d = number_or_zero(row, f[kVd]);
-    glass.lambda_min_nm = number(row, f[kLambdaMin]);
-    glass.lambda_max_nm = number(row, f[kLambdaMax]);
-    glass.source = f[kSource];
-    return glass;
-}
-
-std::vector<Glass> glasses_from(std::string_view text) {
+struct Catalogue {
     std::vector<Glass> glasses;
-    std::size_t line = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view row_text = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const Row row{csv_fields(row_text), row_text, ++line};
-        if (row_text.empty()) continue;
-        if (line > 1)
-            glasses.push_back(glass_from(row));
-        else if (row_text != kHeader)
-            throw row.error(fmt::format("expected the columns {}", kHeader));
+    std::size_t in_first_file = 0;
+};
+
+const Catalogue& catalogue() {
+    static const Catalogue all = [] {
+        Catalogue read;
+        read.glasses = glasses_of_csv(optics::data::catalogue_csv(), "data/glasses/catalogue.csv");
+        read.in_first_file = read.glasses.size();
+        for (Glass& glass : glasses_of_csv(optics::data::makers_csv(), "data/glasses/makers.csv"))
+            read.glasses.push_back(std::move(glass));
+        add_extinction(read.glasses);
+        return read;
+    }();
+    return all;
+}
+
+/// Names and aliases of some glasses, and whose they are.
+struct Names {
+    std::vector<std::string> names;
+    std::vector<std::size_t> owner;
+
+    explicit Names(std::size_t count) {
+        const auto glasses = glass_catalogue().first(count);
+        for (std::size_t i = 0; i < count; ++i) add(glasses[i].name, i);
+        for (std::size_t i = 0; i < count; ++i)
+            for (const std::string& alias : glasses[i].aliases) add(alias, i);
     }
-    return glasses;
+    void add(const std::string& name, std::size_t glass) {
+        names.push_back(name);
+        owner.push_back(glass);
+    }
+};
+
+std::size_t index_of(std::string_view name) {
+    static const Names first(catalogue().in_first_file), all(glass_catalogue().size());
+    if (const auto found = match_named(name, first.names)) return first.owner[*found];
+    return all.owner[find_named("glass", name, all.names)];
+}
+
+/// "25C", "25°C", "25 C", "298.15K", in °C.
+double temperature_C(std::string_view text) {
+    std::string_view number = text;
+    const bool kelvin = number.ends_with('K');
+    for (const std::string_view unit : {"K", "C", "°", " "})
+        if (number.ends_with(unit)) number.remove_suffix(unit.size());
+    const auto value = parse_number<double>(number);
+    if (!value || number.size() == text.size())
+        throw InputError(
+            fmt::format("\"{}\" is no temperature; expected one such as 25C or 298.15K", text));
+    return kelvin ? *value - kFreezing_K : *value;
+}
+
+/// Water by IAPWS' formula.
+Glass at_temperature(Glass glass, std::string_view text) {
+    if (glass.name != "fluid/water")
+        throw InputError(
+            fmt::format("{} has no temperature: only fluid/water can have one", glass.name));
+    const double t = temperature_C(text);
+    glass.name += fmt::format("@{:.6g}C", t);
+    glass.aliases.clear();
+    glass.description = fmt::format("water, {:.6g} °C, 101325 Pa", t);
+    glass.lambda_min_nm = 200.0;
+    glass.lambda_max_nm = 1100.0;
+    glass.data = {"water", {t}, IndexReference::vacuum, DataRange{200.0, 1100.0}};
+    glass.n_d = glass.v_d = 0.0;
+    glass.accuracy = 2e-5;
+    glass.source = "IAPWS R9-97 (1997); density: G. S. Kell, J. Chem. Eng. Data 20, 97 (1975)";
+    glass.licence = "published formula";
+    make_dispersion(glass.data);  // the temperature is refused here, if it must be
+    return glass;
 }
 
 }  // namespace
 
-std::span<const Glass> glass_catalogue() {
-    static const std::vector<Glass> glasses = glasses_from(optics::data::catalogue_csv());
-    return glasses;
-}
+std::span<const Glass> glass_catalogue() { return catalogue().glasses; }
 
-const Glass& find_glass(std::string_view name) {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const Glass& glass : glass_catalogue()) all.push_back(glass.name);
-        return all;
-    }();
-    return glass_catalogue()[find_named("glass", name, names)];
+Glass find_glass(std::string_view name) {
+    const std::size_t at = name.find('@');
+    const Glass& glass = glass_catalogue()[index_of(name.substr(0, at))];
+    if (at == std::string_view::npos) return glass;
+    return at_temperature(glass, name.substr(at + 1));
 }
 
 }  // namespace dewbow

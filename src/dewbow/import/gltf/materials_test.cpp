@@ -15,7 +15,7 @@ using namespace gltf_test;
 /// An index without dispersion is that against air at the d line: air's own dispersion over the
 /// visible range, times the index, is left.
 constexpr double kAirDispersion = 2e-5;
-constexpr double kNm[] = {400.0, 486.1327, 587.5618, 656.2725, 700.0};
+constexpr double kNm[] = {400.0, 486.1327, kLined.to(unit::nm), 656.2725, 700.0};
 
 /// A scene of one triangle in a material with these members.
 ParsedScene with_material(const std::string& members) {
@@ -79,8 +79,9 @@ TEST(GltfMaterials, DispersionIsTwentyOverTheAbbeNumber) {
     const auto& surface = surface_of<Dielectric>(parsed);
     // SF10: n_d 1.72825, V_d 28.41. The form rounds its constants to 1e-4 relative.
     EXPECT_NEAR(abbe_number(*surface.interior->index, *air()), 28.41, 0.01);
-    EXPECT_NEAR(index_at(surface.interior->index, 587.5618) / index_at(air(), 587.5618), 1.72825,
-                1e-5);
+    EXPECT_NEAR(index_at(surface.interior->index, kLined.to(unit::nm)) /
+                    index_at(air(), kLined.to(unit::nm)),
+                1.72825, 1e-5);
 }
 
 TEST(GltfMaterials, IndexOneBendsNothingWhateverItsDispersion) {
@@ -175,8 +176,9 @@ TEST(GltfMaterials, TheCataloguesGlassIsTakenByName) {
         glass(
             R"("KHR_materials_ior": {"ior": 2}, "KHR_materials_volume": {"thicknessFactor": 1})"));
     const auto& surface = surface_of<Dielectric>(parsed);
-    EXPECT_NEAR(index_at(surface.interior->index, 587.5618) / index_at(air(), 587.5618), 1.5168,
-                1e-4);
+    EXPECT_NEAR(index_at(surface.interior->index, kLined.to(unit::nm)) /
+                    index_at(air(), kLined.to(unit::nm)),
+                1.5168, 1e-4);
 }
 
 TEST(GltfMaterials, ForeignExtrasAreLetBe) {
