@@ -56,7 +56,7 @@ double blur_radius(double lambda_nm) {
     const Medium flint = *glass("schott/N-SF11");
     const Medium around{"air", air(), nullptr, 0};
     const auto n = [&](double nm) { return index_of(flint, nm) / index_of(around, nm); };
-    const double f = kFocal_m * (n(587.5618) - 1.0) / (n(lambda_nm) - 1.0);
+    const double f = kFocal_m * (n(kLined.to(unit::nm)) - 1.0) / (n(lambda_nm) - 1.0);
     const double film = 1.0 / (1.0 / kFocal_m - 1.0 / kFocus_m);
     const double image = 1.0 / (1.0 / f - 1.0 / kDepth_m);
     return kAperture_m * std::abs(film - image) / image / film * pixels_per_tangent();
@@ -109,7 +109,7 @@ TEST(Lens, CirclesOfConfusionAreThoseOfEachWavelength) {
 TEST(Lens, WithoutGlassAllWavelengthsAreBlurredAlike) {
     const FilmSums film = picture_of(disc_scene(false));
     const double disc = kDisc_m / kDepth_m * pixels_per_tangent();
-    const double blur = blur_radius(587.5618);
+    const double blur = blur_radius(kLined.to(unit::nm));
     const double expected = 0.5 * (disc * disc + blur * blur) + 2.0 / 12.0;
     for (int bin = 0; bin < kBins; ++bin)
         EXPECT_NEAR(blob(film, bin).mean_square / expected, 1.0, kSpread) << bin;

@@ -64,14 +64,14 @@ double focus_by_gauss(double lambda_nm) {
     };
     const double f_d = 0.1, s_d = 3.0;
     const double film = f_d * s_d / (s_d - f_d);
-    const double power = (n(lambda_nm) - 1.0) / (f_d * (n(587.5618) - 1.0));
+    const double power = (n(lambda_nm) - 1.0) / (f_d * (n(kLined.to(unit::nm)) - 1.0));
     return 1.0 / (power - 1.0 / film);
 }
 
 TEST(ThinLens, EachWavelengthHasItsFocus) {
     const ThinLensOptics optics(flint_lens());
     ASSERT_TRUE(optics.disperses());
-    const std::array<double, 5> lambda_nm = {420.0, 486.1327, 587.5618, 656.2725, 780.0};
+    const std::array<double, 5> lambda_nm = {420.0, 486.1327, kLined.to(unit::nm), 656.2725, 780.0};
     std::array<double, 5> vergence;
     optics.vergences(lambda_nm, vergence);
     for (std::size_t i = 0; i < lambda_nm.size(); ++i)
@@ -106,7 +106,7 @@ Scene scene_with(const ThinLens& lens) {
 TEST(ThinLens, RaysOfAPixelMeetInFocus) {
     const CameraRays camera(scene_with(flint_lens()));
     ASSERT_TRUE(camera.disperses());
-    const std::array<double, 3> lambda_nm = {450.0, 587.5618, 700.0};
+    const std::array<double, 3> lambda_nm = {450.0, kLined.to(unit::nm), 700.0};
     const Ray chief = camera.ray_through(4.5, 15.5);
     double widest = 0.0;
     for (std::uint32_t i = 0; i < 64; ++i) {
