@@ -15,8 +15,8 @@ namespace dewbow {
 namespace {
 
 /// Meshes with more triangles than this in all their shapes together are shared by these, if there
-/// are several: a triangle in the world costs some 150 bytes, and a trace through a shared mesh
-/// half as much again (bench/scene_cost).
+/// are several. Below it memory is no matter (170 bytes a triangle, docs/scene-size.md), and convex
+/// stones of their own know their ways out (ConvexSolid).
 constexpr std::size_t kMostWorldTriangles = 200'000;
 /// What a shape costs besides its triangles, in triangles.
 constexpr std::size_t kShapeCost = 10;

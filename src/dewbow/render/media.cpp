@@ -6,6 +6,7 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/render/accelerator.h"
+#include "dewbow/render/bounds_index.h"
 
 namespace dewbow {
 
@@ -162,27 +163,28 @@ MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
 }
 
 std::vector<bool> see_through_shapes(const Scene& scene) {
-    std::vector<bool> result;
-    std::vector<Bounds> bending;
-    const auto bounds = [](const Shape& shape) {
-        constexpr double kFar = 1e300;
-        const bool endless = std::holds_alternative<Plane>(shape.geometry);
-        return endless ? Bounds{{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}} : bounds_of(shape);
-    };
-    for (const Shape& shape : scene.shapes) {
-        const Material& material = scene.materials[std::size_t(shape.material)];
+    std::vector<bool> clear, bends;  // one a material
+    for (const Material& material : scene.materials) {
         const Dielectric* d = dielectric_of(material);
-        result.push_back(d && !material.gives_light() && !d->tint && !d->interior->absorption &&
-                         !scene.surroundings->absorption &&
-                         same_index(*d->interior->index, *scene.surroundings->index));
-        if (!result.back() && may_be_body(scene, material)) bending.push_back(bounds(shape));
+        clear.push_back(d && !material.gives_light() && !d->tint && !d->interior->absorption &&
+                        !scene.surroundings->absorption &&
+                        same_index(*d->interior->index, *scene.surroundings->index));
+        bends.push_back(!clear.back() && may_be_body(scene, material));
     }
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        if (!result[i]) continue;
-        const Bounds here = bounds(scene.shapes[i]);
-        result[i] = std::none_of(bending.begin(), bending.end(),
-                                 [&](const Bounds& b) { return here.overlaps(b); });
+    std::vector<bool> result;
+    for (const Shape& shape : scene.shapes) result.push_back(clear[std::size_t(shape.material)]);
+    if (std::find(result.begin(), result.end(), true) == result.end()) return result;
+
+    constexpr double kFar = 1e300;
+    std::vector<Bounds> all = bounds_of_shapes(scene), bending(scene.shapes.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::holds_alternative<Plane>(scene.shapes[i].geometry))
+            all[i] = {{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};
+        if (bends[std::size_t(scene.shapes[i].material)]) bending[i] = all[i];
     }
+    const BoundsIndex index(std::move(bending));
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = result[i] && !index.any(all[i], [](std::size_t) { return true; });
     return result;
 }
 

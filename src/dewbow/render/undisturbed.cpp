@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
+#include "dewbow/render/bounds_index.h"
+
 namespace dewbow {
 
 namespace {
 
-/// With more shapes than this every pair would take too long to look at, and the tree is the better
-/// answer.
-constexpr std::size_t kMostShapes = 2000;
-/// Corners times planes that are looked at for one pair of shapes.
-constexpr std::size_t kMostTests = 4'000'000;
+/// Corners times planes that are looked at for one pair of shapes, and for all together: seconds.
+/// What is left unlooked at is taken for disturbed, and goes through the tree.
+constexpr std::size_t kMostTests = 4'000'000, kMostTestsInAll = 1'000'000'000;
 
 std::array<Vec3, 8> corners_of(const Bounds& b) {
     std::array<Vec3, 8> corners;
@@ -30,8 +30,12 @@ bool separated(const ConvexSolid& solid, const Points& points) {
     });
 }
 
-bool mesh_separated(const ConvexSolid& solid, const Shape& shape, const Mesh& mesh) {
-    if (solid.facets().size() * mesh.triangles.size() > kMostTests) return false;
+/// @param tests_left  how many tests may still be made.
+bool mesh_separated(const ConvexSolid& solid, const Shape& shape, const Mesh& mesh,
+                    std::size_t& tests_left) {
+    const std::size_t tests = solid.facets().size() * mesh.triangles.size();
+    if (tests > std::min(kMostTests, tests_left)) return false;
+    tests_left -= tests;
     return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
         std::array<Vec3, 3> corners;
         for (std::size_t i = 0; i < 3; ++i)
@@ -48,34 +52,41 @@ bool plane_misses(const Shape& plane, const Bounds& box) {
     return above == 0 || above == 8;
 }
 
+bool is_convex(const Geometry& geometry) {
+    return std::holds_alternative<Sphere>(geometry) || std::holds_alternative<Box>(geometry) ||
+           std::holds_alternative<Prism>(geometry);
+}
+
 }  // namespace
 
 std::vector<bool> find_undisturbed(const Scene& scene,
                                    const std::vector<const ConvexSolid*>& solids) {
     std::vector<bool> result(scene.shapes.size(), false);
-    if (scene.shapes.size() > kMostShapes) return result;
-    std::vector<Bounds> bounds;
-    for (const Shape& shape : scene.shapes) bounds.push_back(bounds_of(shape));
+    std::vector<std::size_t> bodies;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        if (solids[i] || is_convex(scene.shapes[i].geometry)) bodies.push_back(i);
+    if (bodies.empty()) return result;
+    const BoundsIndex bounds(bounds_of_shapes(scene));
+    std::vector<const Shape*> endless;
+    for (const Shape& shape : scene.shapes)
+        if (std::holds_alternative<Plane>(shape.geometry)) endless.push_back(&shape);
+    std::size_t tests_left = kMostTestsInAll;
 
-    const auto passes_by = [&](std::size_t body, std::size_t other) {
-        const Shape& shape = scene.shapes[other];
-        if (std::holds_alternative<Plane>(shape.geometry)) return plane_misses(shape, bounds[body]);
-        if (!bounds[body].overlaps(bounds[other])) return true;
+    /// Of two shapes whose bounds overlap.
+    const auto disturbs = [&](std::size_t body, std::size_t other) {
         const ConvexSolid* solid = solids[body];
-        if (!solid) return false;
-        if (separated(*solid, corners_of(bounds[other]))) return true;
+        if (other == body) return false;
+        if (!solid) return true;
+        if (separated(*solid, corners_of(bounds[other]))) return false;
+        const Shape& shape = scene.shapes[other];
         const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape.geometry);
-        return mesh && mesh_separated(*solid, shape, **mesh);
+        return !mesh || !mesh_separated(*solid, shape, **mesh, tests_left);
     };
-    for (std::size_t body = 0; body < scene.shapes.size(); ++body) {
-        const Geometry& geometry = scene.shapes[body].geometry;
-        if (!solids[body] && !std::holds_alternative<Sphere>(geometry) &&
-            !std::holds_alternative<Box>(geometry) && !std::holds_alternative<Prism>(geometry))
-            continue;
-        result[body] = true;
-        for (std::size_t other = 0; other < scene.shapes.size() && result[body]; ++other)
-            result[body] = other == body || passes_by(body, other);
-    }
+    for (const std::size_t body : bodies)
+        result[body] =
+            std::all_of(endless.begin(), endless.end(),
+                        [&](const Shape* plane) { return plane_misses(*plane, bounds[body]); }) &&
+            !bounds.any(bounds[body], [&](std::size_t other) { return disturbs(body, other); });
     return result;
 }
 
