@@ -19,10 +19,12 @@ struct SceneFormat {
     ParsedScene (*load)(const std::filesystem::path&);
 };
 
+ParsedScene load_gltf_scene(const std::filesystem::path& path) { return load_gltf(path); }
+
 const std::vector<SceneFormat>& scene_formats() {
     static const std::vector<SceneFormat> formats = {
-        {".toml", load_toml},      {".gltf", load_gltf},      {".glb", load_gltf},
-        {".obj", load_mesh_scene}, {".ply", load_mesh_scene}, {".stl", load_mesh_scene},
+        {".toml", load_toml},      {".gltf", load_gltf_scene}, {".glb", load_gltf_scene},
+        {".obj", load_mesh_scene}, {".ply", load_mesh_scene},  {".stl", load_mesh_scene},
     };
     return formats;
 }

@@ -32,15 +32,11 @@ constexpr ForeignFormat kForeign[] = {
 };
 
 [[noreturn]] void refuse(std::string_view bytes, const std::string& name) {
-    for (const ForeignFormat& format : kForeign) {
-        if (bytes.size() < format.offset || !bytes.substr(format.offset).starts_with(format.mark))
-            continue;
-        throw InputError({name, 0, 0, {}},
-                         fmt::format("this is {} picture; textures are PNG or JPEG", format.name),
+    const SourcePlace place{name, 0, 0, {}};
+    if (const std::string_view format = foreign_picture_format(bytes); !format.empty())
+        throw InputError(place, fmt::format("this is {} picture; textures are PNG or JPEG", format),
                          {}, "save it as PNG");
-    }
-    throw InputError(SourcePlace{name, 0, 0, {}},
-                     bytes.empty() ? "is empty" : "is neither a PNG nor a JPEG picture");
+    throw InputError(place, bytes.empty() ? "is empty" : "is neither a PNG nor a JPEG picture");
 }
 
 TextureImage from_rgb(const Image8& rgb) {
@@ -63,6 +59,13 @@ TextureImage from_rgba(ImageRgba&& rgba) {
 
 }  // namespace
 
+std::string_view foreign_picture_format(std::string_view bytes) {
+    for (const ForeignFormat& format : kForeign)
+        if (bytes.size() >= format.offset && bytes.substr(format.offset).starts_with(format.mark))
+            return format.name;
+    return {};
+}
+
 std::shared_ptr<const TextureImage> decode_texture(std::string_view bytes,
                                                    const std::string& name) {
     if (!is_png(bytes) && !is_jpeg(bytes)) refuse(bytes, name);
@@ -74,15 +77,19 @@ std::shared_ptr<const TextureImage> decode_texture(std::string_view bytes,
 
 std::shared_ptr<const TextureImage> TexturePictures::load(const std::filesystem::path& path) {
     const std::string key = "file:" + path.lexically_normal().string();
+    const auto known = find(key);
+    return known ? known : decode(key, read_file(path), path.string());
+}
+
+std::shared_ptr<const TextureImage> TexturePictures::find(const std::string& key) const {
     const auto found = known_.find(key);
-    return found != known_.end() ? found->second : decode(key, read_file(path), path.string());
+    return found != known_.end() ? found->second : nullptr;
 }
 
 std::shared_ptr<const TextureImage> TexturePictures::decode(const std::string& key,
                                                             std::string_view bytes,
                                                             const std::string& name) {
-    const auto found = known_.find(key);
-    if (found != known_.end()) return found->second;
+    if (auto known = find(key)) return known;
     auto image = decode_texture(bytes, name);
     bytes_ += image->texels8.size() + 2 * image->texels16.size();
     if (bytes_ > kMaxTextureBytes) {

@@ -22,11 +22,17 @@ inline constexpr std::uint64_t kMaxTextureBytes = std::uint64_t{16} << 30;
 /// of image/limits.h.
 std::shared_ptr<const TextureImage> decode_texture(std::string_view bytes, const std::string& name);
 
+/// "a WebP", "a KTX2"…: what `bytes` are a picture of that is not read; empty for PNG, JPEG and
+/// what is no picture.
+std::string_view foreign_picture_format(std::string_view bytes);
+
 /// The pictures of one scene file, each read once however many textures show it.
 class TexturePictures {
 public:
     /// The picture of a file. Throws InputError naming the file.
     std::shared_ptr<const TextureImage> load(const std::filesystem::path& path);
+    /// The picture that is known by `key`, or nullptr.
+    std::shared_ptr<const TextureImage> find(const std::string& key) const;
     /// The picture in `bytes`, known by `key` from then on. Throws InputError naming `name`.
     std::shared_ptr<const TextureImage> decode(const std::string& key, std::string_view bytes,
                                                const std::string& name);

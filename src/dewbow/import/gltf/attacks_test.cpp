@@ -98,7 +98,7 @@ const Attack kAttacks[] = {
      "/bufferViews/0: does not lie inside"},
     {"stride too small",
      [](Parts& p) { p.views = R"([{"buffer": 0, "byteLength": 36, "byteStride": 4}])"; },
-     "/bufferViews/0/byteStride: is 4, less than the 12"},
+     "/accessors/0: /bufferViews/0/byteStride is 4, less than the 12"},
     {"stride too large",
      [](Parts& p) { p.views = R"([{"buffer": 0, "byteLength": 36, "byteStride": 255}])"; },
      "byteStride: is 255"},
@@ -118,11 +118,16 @@ const Attack kAttacks[] = {
     {"indices that are floats",
      [](Parts& p) { p.primitive = R"({"attributes": {"POSITION": 0}, "indices": 0})"; },
      "/accessors/0/type: is VEC3; indices are SCALAR"},
-    {"quantised positions",
+    {"positions of 32-bit integers",
      [](Parts& p) {
-         p.accessors = R"([{"bufferView": 0, "componentType": 5122, "count": 3, "type": "VEC3"}])";
+         p.accessors = R"([{"bufferView": 0, "componentType": 5125, "count": 3, "type": "VEC3"}])";
      },
-     "KHR_mesh_quantization"},
+     "/accessors/0/componentType: is no type of positions"},
+    {"positions of two numbers",
+     [](Parts& p) {
+         p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"}])";
+     },
+     "/accessors/0/type: is VEC2; positions are VEC3"},
     {"sparse count",
      [](Parts& p) {
          p.accessors =
@@ -169,11 +174,9 @@ const Attack kAttacks[] = {
      "is not affine"},
     {"unknown required extension",
      [](Parts& p) {
-         p.rest =
-             R"(, "extensionsRequired": ["KHR_texture_transform", "KHR_draco_mesh_compression"])";
+         p.rest = R"(, "extensionsRequired": ["KHR_texture_transform", "MPEG_media"])";
      },
-     "/extensionsRequired/1: the file cannot be read without the extension "
-     "KHR_draco_mesh_compression"},
+     "/extensionsRequired/1: the file cannot be read without the extension MPEG_media"},
     {"normals of another count",
      [](Parts& p) {
          p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},

@@ -7,6 +7,8 @@
 
 #include "dewbow/base/file.h"
 #include "dewbow/import/gltf/extensions.h"
+#include "dewbow/import/gltf/meshopt.h"
+#include "dewbow/import/gltf/slice.h"
 #include "dewbow/import/gltf/uri.h"
 #include "dewbow/import/nested_error.h"
 
@@ -40,8 +42,7 @@ void Document::check_required_extensions() const {
     for (std::size_t i = 0; i < required->size(); ++i) {
         const Json name = (*required)[i];
         if (may_be_required(name.text())) continue;
-        name.fail(fmt::format("the file cannot be read without the extension {}", name.text()),
-                  hint_for_required(name.text()));
+        name.fail(fmt::format("the file cannot be read without the extension {}", name.text()));
     }
 }
 
@@ -69,7 +70,7 @@ std::string_view Document::buffer(const Json& index) {
     } else {
         const auto found = loaded_.find(which);
         bytes = found != loaded_.end() ? found->second
-                                       : loaded_.emplace(which, load_buffer(*uri)).first->second;
+                                       : loaded_.emplace(which, load(*uri)).first->second;
     }
     if (bytes.size() < length) {
         object.fail(fmt::format("byteLength is {}, but there are {} bytes", length, bytes.size()));
@@ -77,16 +78,64 @@ std::string_view Document::buffer(const Json& index) {
     return bytes.substr(0, length);
 }
 
-std::string Document::load_buffer(const Json& uri) const {
+std::string_view Document::part_of_buffer(const Json& part) {
+    const std::string_view bytes = buffer(part.require("buffer"));
+    const std::uint64_t length = part.require("byteLength").whole(kMaxFileBytes);
+    const auto offset = part.find("byteOffset");
+    const auto inside = slice(bytes, offset ? offset->whole(kMaxFileBytes) : 0, 1, length, 1);
+    if (!inside) {
+        part.fail(fmt::format("does not lie inside its buffer of {} bytes", bytes.size()));
+    }
+    return {inside->first, length};
+}
+
+Document::View Document::view(const Json& index) {
+    constexpr std::uint64_t kMaxStride = 252;
+    const Json object = item("bufferViews", index);
+    const std::size_t which = index.whole(count("bufferViews") - 1);
+    const auto stride = object.find("byteStride");
+    View view{{}, stride ? stride->whole(kMaxStride) : 0, object.pointer()};
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+        if (const auto compression = find_extension(object, name)) {
+            view.bytes = unpacked(object, *compression, which);
+            return view;
+        }
+    }
+    view.bytes = part_of_buffer(object);
+    return view;
+}
+
+std::string_view Document::unpacked(const Json& view, const Json& compression, std::size_t which) {
+    const auto found = unpacked_.find(which);
+    if (found != unpacked_.end()) return found->second;
+    const std::uint64_t length = view.require("byteLength").whole(kMaxFileBytes);
+    unpacked_bytes_ += length;
+    if (unpacked_bytes_ > kMaxFileBytes)
+        view.fail("the compressed views of the file hold more than 4 GiB");
+    return unpacked_
+        .emplace(which, unpack_meshopt(compression, part_of_buffer(compression), length))
+        .first->second;
+}
+
+std::filesystem::path Document::path_of(const Json& uri) const {
+    const auto reference = percent_decoded(uri.text());
+    if (!reference) uri.fail("has a % that is not followed by two hexadecimal digits");
+    try {
+        return resolve_inside(folder_, *reference);
+    } catch (const InputError& error) {
+        uri.fail(sentence_with_place(error), error.hint());
+    }
+}
+
+std::string Document::load(const Json& uri) const {
     if (is_data_uri(uri.text())) {
         auto bytes = decode_data_uri(uri.text());
         if (!bytes) uri.fail("is a data URI that is not valid base64");
         return std::move(*bytes);
     }
-    const auto reference = percent_decoded(uri.text());
-    if (!reference) uri.fail("has a % that is not followed by two hexadecimal digits");
+    const std::filesystem::path path = path_of(uri);
     try {
-        return read_file(resolve_inside(folder_, *reference));
+        return read_file(path);
     } catch (const InputError& error) {
         uri.fail(sentence_with_place(error), error.hint());
     }

@@ -26,11 +26,23 @@ public:
     /// How many there are; 0 if the array is missing.
     std::size_t count(std::string_view list) const;
 
-    /// The bytes of buffer `index`, loaded when first asked for.
-    std::string_view buffer(const Json& index);
+    /// A buffer view, unpacked if it is compressed.
+    struct View {
+        std::string_view bytes;
+        std::uint64_t stride = 0;  ///< 0: elements follow each other
+        std::string pointer;       ///< for messages
+    };
+    /// The view that `index` refers to, loaded when first asked for.
+    View view(const Json& index);
+    /// The bytes that `uri` names: a data URI, or a file in this one's folder. InputError there.
+    std::string load(const Json& uri) const;
+    /// The file that `uri`, which is no data URI, names.
+    std::filesystem::path path_of(const Json& uri) const;
 
 private:
-    std::string load_buffer(const Json& uri) const;
+    std::string_view buffer(const Json& index);
+    std::string_view part_of_buffer(const Json& part);
+    std::string_view unpacked(const Json& view, const Json& compression, std::size_t which);
     void check_version() const;
     void check_required_extensions() const;
 
@@ -39,7 +51,9 @@ private:
     Container container_;
     JsonValue tree_;
     Notes notes_;
-    std::map<std::size_t, std::string> loaded_;
+    std::map<std::size_t, std::string> loaded_;    ///< buffers
+    std::map<std::size_t, std::string> unpacked_;  ///< compressed views
+    std::uint64_t unpacked_bytes_ = 0;
 };
 
 /// The extension object `name` of `owner`, or nothing.

@@ -12,8 +12,6 @@ namespace dewbow::gltf {
 /// True for extensions that are honoured, and for those that cannot change what is read here (ways
 /// of storing textures, which are not read).
 bool may_be_required(std::string_view name);
-/// A way out for a file that cannot be read, or empty.
-std::string hint_for_required(std::string_view name);
 
 /// Whether ignoring `extension` shows in a picture: not if it is a mere note, a second encoding of
 /// what is there anyway, or has the values that do nothing.

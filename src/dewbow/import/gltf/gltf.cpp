@@ -5,6 +5,7 @@
 
 #include "dewbow/base/file.h"
 #include "dewbow/import/gltf/cameras.h"
+#include "dewbow/import/gltf/instances.h"
 #include "dewbow/import/gltf/lights.h"
 #include "dewbow/import/gltf/materials.h"
 #include "dewbow/import/gltf/primitive.h"
@@ -14,7 +15,8 @@ namespace {
 
 using namespace gltf;
 
-constexpr std::string_view kKnownNodeExtensions[] = {"KHR_lights_punctual"};
+constexpr std::string_view kKnownNodeExtensions[] = {"EXT_mesh_gpu_instancing",
+                                                     "KHR_lights_punctual", "KHR_node_visibility"};
 /// Most shapes (primitives times the nodes that place them) of a file.
 constexpr std::size_t kMaxShapes = std::size_t{1} << 22;
 
@@ -24,6 +26,8 @@ std::shared_ptr<const Mesh> baked(const Mesh& mesh, const Affine& world_from_nod
     auto result = std::make_shared<Mesh>();
     result->name = mesh.name;
     result->triangles = mesh.triangles;
+    result->texcoords = mesh.texcoords;
+    result->colours = mesh.colours;
     for (const Point<Object>& vertex : mesh.vertices) {
         result->vertices.push_back({world_from_node.apply(vertex.v)});
     }
@@ -33,14 +37,24 @@ std::shared_ptr<const Mesh> baked(const Mesh& mesh, const Affine& world_from_nod
 
 class SceneBuilder {
 public:
-    SceneBuilder(const std::filesystem::path& path, std::string_view bytes)
-        : document_(path, bytes), primitives_(document_), materials_(document_, parsed_.scene) {}
+    SceneBuilder(const std::filesystem::path& path, std::string_view bytes,
+                 std::optional<double> time_s)
+        : document_(path, bytes),
+          pose_(time_s ? Pose(document_, *time_s) : Pose()),
+          primitives_(document_),
+          materials_(document_, parsed_.scene) {
+        if (!time_s && document_.count("animations") > 0) {
+            document_.notes().add(document_.root().require("animations").place(),
+                                  "{} is shown at rest; --frame N shows its animations",
+                                  "the scene");
+        }
+    }
 
     ParsedScene build() {
         parsed_.scene = make_empty_scene();
         parsed_.scene.film.white_luminance = 1.0;
         parsed_.scene.film.exposure = ExposureMode::automatic_if_far;
-        for_each_node(document_, [&](const PlacedNode& node) { add_node(node); });
+        for_each_node(document_, pose_, [&](const PlacedNode& node) { add_node(node); });
         if (parsed_.scene.shapes.empty()) {
             document_.notes().add(document_.root().place(),
                                   "{} holds no triangle that could be shown", "the scene");
@@ -52,6 +66,8 @@ public:
 
 private:
     void add_node(const PlacedNode& node) {
+        add_camera(node);
+        if (!node.visible) return;
         const std::string who = fmt::format("node \"{}\"", node.name);
         note_extensions(document_, node.json, kKnownNodeExtensions, who);
         if (node.json.find("skin")) {
@@ -60,7 +76,6 @@ private:
         }
         if (auto light = read_light(document_, node))
             parsed_.scene.lights.push_back(std::move(*light));
-        add_camera(node);
         if (const auto mesh = node.json.find("mesh")) add_mesh(node, *mesh);
     }
 
@@ -73,46 +88,46 @@ private:
         const Json mesh = document_.item("meshes", reference);
         std::string name = node.name.empty() ? mesh.text("name", "") : node.name;
         if (name.empty()) name = "mesh " + mesh.pointer().substr(mesh.pointer().rfind('/') + 1);
-        note_weights(mesh, name);
-        note_weights(node.json, name);
+        const MorphWeights weights = weights_of(node, mesh);
+        const std::vector<Affine> instances = read_instances(document_, node.json);
         const Json primitives = mesh.require("primitives");
         const std::size_t count = primitives.size();
         for (std::size_t i = 0; i < count; ++i) {
-            const auto triangles = primitives_.read(primitives[i], mesh.text("name", name));
+            const auto triangles =
+                primitives_.read(primitives[i], mesh.text("name", name), weights);
             if (!triangles) continue;
-            if (parsed_.scene.shapes.size() >= kMaxShapes) {
-                node.json.fail(fmt::format("the file shows more than {} shapes", kMaxShapes));
-            }
             Shape shape;
             shape.name = count == 1 ? name : fmt::format("{}/{}", name, i + 1);
             shape.geometry = triangles;
-            shape.material = materials_.read(primitives[i].find("material"));
-            note_vertex_colours(primitives[i], name);
-            place(std::move(shape), *triangles, node);
+            shape.material =
+                materials_.read(primitives[i].find("material"), !triangles->colours.empty());
+            place_all(shape, *triangles, node, instances);
         }
     }
 
-    /// Weights of morph targets, of the mesh or of its node, change the shape unless they are zero.
-    void note_weights(const Json& owner, const std::string& name) {
-        const auto weights = owner.find("weights");
-        for (std::size_t i = 0; weights && i < weights->size(); ++i) {
-            if ((*weights)[i].number(kCoordinateRange) == 0.0) continue;
-            document_.notes().add(weights->place(), "the morph targets of {} are not used",
-                                  fmt::format("mesh \"{}\"", name));
-            return;
+    /// Of the mesh's morph targets: those of an animation, of the node, or of the mesh.
+    MorphWeights weights_of(const PlacedNode& node, const Json& mesh) const {
+        if (const auto* animated = pose_.find(node.index, "weights")) return *animated;
+        auto weights = node.json.find("weights");
+        if (!weights) weights = mesh.find("weights");
+        return weights ? weights->numbers(weights->size(), kCoordinateRange) : MorphWeights{};
+    }
+
+    void place_all(const Shape& shape, const Mesh& mesh, const PlacedNode& node,
+                   const std::vector<Affine>& instances) {
+        if (parsed_.scene.shapes.size() + instances.size() > kMaxShapes)
+            node.json.fail(fmt::format("the file shows more than {} shapes", kMaxShapes));
+        for (std::size_t i = 0; i < instances.size(); ++i) {
+            Shape one = shape;
+            if (instances.size() > 1) one.name += fmt::format(" {}", i + 1);
+            place(std::move(one), mesh, node, node.world_from_node * instances[i]);
         }
     }
 
-    void note_vertex_colours(const Json& primitive, const std::string& name) {
-        const auto colours = primitive.require("attributes").find("COLOR_0");
-        if (!colours) return;
-        document_.notes().add(colours->place(), "the vertex colours of {} are not used",
-                              fmt::format("mesh \"{}\"", name));
-    }
-
-    void place(Shape shape, const Mesh& mesh, const PlacedNode& node) {
-        if (node.world_from_node.inverse()) {
-            shape.world_from_object = Transform<World, Object>(node.world_from_node);
+    void place(Shape shape, const Mesh& mesh, const PlacedNode& node,
+               const Affine& world_from_mesh) {
+        if (world_from_mesh.inverse()) {
+            shape.world_from_object = Transform<World, Object>(world_from_mesh);
             parsed_.scene.shapes.push_back(mirrors_.upright(std::move(shape)));
             return;
         }
@@ -120,7 +135,7 @@ private:
         if (baked_triangles_ > kMaxTriangles) {
             node.json.fail("too many triangles stand under transforms that have no inverse");
         }
-        const auto flat = baked(mesh, node.world_from_node);
+        const auto flat = baked(mesh, world_from_mesh);
         if (flat->triangles.empty()) {
             document_.notes().add(node.json.place(),
                                   "nothing is shown of {}: it is scaled to nothing",
@@ -132,6 +147,7 @@ private:
     }
 
     Document document_;
+    Pose pose_;
     ParsedScene parsed_;
     Primitives primitives_;
     Materials materials_;
@@ -141,11 +157,12 @@ private:
 
 }  // namespace
 
-ParsedScene parse_gltf(const std::filesystem::path& path, std::string_view bytes) {
-    return SceneBuilder(path, bytes).build();
+ParsedScene parse_gltf(const std::filesystem::path& path, std::string_view bytes,
+                       std::optional<double> time_s) {
+    return SceneBuilder(path, bytes, time_s).build();
 }
 
-ParsedScene load_gltf(const std::filesystem::path& path) {
+ParsedScene load_gltf(const std::filesystem::path& path, std::optional<double> time_s) {
     const std::string bytes = read_file(path);
     const SourcePlace place{path.string(), 0, 0, {}};
     if (bytes.empty()) throw InputError(place, "the file is empty");
@@ -155,7 +172,7 @@ ParsedScene load_gltf(const std::filesystem::path& path) {
                          "this is no glTF: it begins neither with \"glTF\", as .glb does, nor with "
                          "{, as .gltf does");
     }
-    return parse_gltf(path, bytes);
+    return parse_gltf(path, bytes, time_s);
 }
 
 }  // namespace dewbow

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "dewbow/import/gltf/photometry.h"
+#include "dewbow/spectrum/lamp.h"
 
 namespace dewbow::gltf {
 namespace {
@@ -40,15 +41,36 @@ Light make_spot(const Json& definition, Point<World> position, Dir<World> direct
                      std::move(intensity)};
 }
 
+/// The custom property `spectrum` of the light or of its node, the name of a lamp.
+std::optional<Json> lamp_name(const Json& definition, const Json& node) {
+    for (const Json& owner : {definition, node}) {
+        const auto extras = owner.find("extras");
+        const auto name = extras && extras->is_object() ? extras->find("spectrum") : std::nullopt;
+        if (name && name->is_text()) return name;
+    }
+    return std::nullopt;
+}
+
+/// Candela or lux of it as a spectrum: of the lamp that is named, else of the light's colour.
+SpectrumPtr size_of(const Json& definition, const Json& node) {
+    const double intensity = definition.number("intensity", kAmountRange, 1.0);
+    const Vec3 colour = definition.vec3("color", kAmountRange, {1.0, 1.0, 1.0});
+    const auto name = lamp_name(definition, node);
+    if (!name || intensity == 0.0) return photometric_spectrum(colour, intensity);
+    try {
+        return make_scaled(find_lamp(name->text()).spectrum, intensity * one_nit());
+    } catch (const InputError& error) {
+        name->fail(error.sentence(), error.hint());
+    }
+}
+
 }  // namespace
 
 std::optional<Light> read_light(Document& document, const PlacedNode& node) {
     const auto extension = find_extension(node.json, kExtension);
     if (!extension) return std::nullopt;
     const Json definition = definition_of(document, extension->require("light"));
-    const Vec3 colour = definition.vec3("color", kAmountRange, {1.0, 1.0, 1.0});
-    SpectrumPtr size =
-        photometric_spectrum(colour, definition.number("intensity", kAmountRange, 1.0));
+    SpectrumPtr size = size_of(definition, node.json);
     if (!size) return std::nullopt;
 
     const std::string who = fmt::format("light \"{}\"", definition.text("name", node.name));

@@ -181,9 +181,27 @@ TEST(GltfMaterials, TheCataloguesGlassIsTakenByName) {
                 1.5168, 1e-4);
 }
 
+TEST(GltfMaterials, BlendersCustomPropertyNamesAGlass) {
+    const auto parsed = with_material(R"("extras": {"glass": "schott/N-SF11"}, )" +
+                                      glass(R"("KHR_materials_volume": {"thicknessFactor": 1})"));
+    // SCHOTT's data sheet: n_d = 1.78472.
+    EXPECT_NEAR(index_at(surface_of<Dielectric>(parsed).interior->index, 587.5618) /
+                    index_at(air(), 587.5618),
+                1.78472, 1e-5);
+}
+
+TEST(GltfMaterials, AGlassThatLetsNoLightThroughIsNoted) {
+    const auto parsed = with_material(R"("extras": {"glass": "schott/N-SF11"})");
+    ASSERT_EQ(parsed.diagnostics.size(), 1u);
+    EXPECT_EQ(parsed.diagnostics[0].text,
+              "the glass of material \"m\" is not used: the material lets no light through "
+              "(transmission)");
+}
+
 TEST(GltfMaterials, ForeignExtrasAreLetBe) {
     EXPECT_NO_THROW(with_material(R"("extras": 3)"));
     EXPECT_NO_THROW(with_material(R"("extras": {"other": {"glass": 5}})"));
+    EXPECT_NO_THROW(with_material(R"("extras": {"glass": true})"));
 }
 
 struct Wrong {
@@ -229,23 +247,31 @@ TEST(GltfMaterials, UnknownGlassIsAnErrorAtItsName) {
     const std::string message = error_of(parts);
     EXPECT_NE(message.find("/materials/0/extras/dewbow/glass"), std::string::npos) << message;
     EXPECT_NE(message.find("N-BK7"), std::string::npos) << message;
+    parts.materials = R"([{"extras": {"glass": "schott/N-BK8"},
+        "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}},
+        "pbrMetallicRoughness": {"metallicFactor": 0}}])";
+    EXPECT_NE(error_of(parts).find("/materials/0/extras/glass"), std::string::npos);
 }
 
 TEST(GltfMaterials, WhatIsNotUsedIsSaidOnceAKind) {
     Parts parts;
     parts.materials = R"([
-        {"name": "a", "normalTexture": {"index": 0}, "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 1}}},
-        {"name": "b", "normalTexture": {"index": 0}, "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0}}},
-        {"name": "unused", "occlusionTexture": {"index": 0}, "extensions": {"KHR_materials_unlit": {}}}])";
+        {"name": "a", "extensions": {"KHR_materials_iridescence": {"iridescenceFactor": 1}}},
+        {"name": "b", "extensions": {"KHR_materials_iridescence": {"iridescenceFactor": 0.5}}},
+        {"name": "c", "extensions": {"KHR_materials_iridescence": {"iridescenceFactor": 0},
+                                     "KHR_materials_anisotropy": {"anisotropyStrength": 0.1}}},
+        {"name": "unused", "extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 1}}}])";
     parts.primitive =
-        R"({"attributes": {"POSITION": 0}, "material": 0}, {"attributes": {"POSITION": 0}, "material": 1})";
+        R"({"attributes": {"POSITION": 0}, "material": 0}, {"attributes": {"POSITION": 0}, "material": 1},
+           {"attributes": {"POSITION": 0}, "material": 2})";
     const Diagnostics diagnostics = parse(parts).diagnostics;
     ASSERT_EQ(diagnostics.size(), 2u);
-    EXPECT_EQ(diagnostics[0].text,
-              "the extension KHR_materials_clearcoat of material \"a\" is not used");
-    EXPECT_EQ(diagnostics[0].place.within, "/materials/0/extensions/KHR_materials_clearcoat");
+    EXPECT_EQ(
+        diagnostics[0].text,
+        "the extension KHR_materials_iridescence of material \"a\" and of another is not used");
+    EXPECT_EQ(diagnostics[0].place.within, "/materials/0/extensions/KHR_materials_iridescence");
     EXPECT_EQ(diagnostics[1].text,
-              "the normal texture of material \"a\" and of another is not used");
+              "the extension KHR_materials_anisotropy of material \"c\" is not used");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "dewbow/import/gltf/document.h"
+#include "dewbow/import/gltf/animation.h"
 #include "dewbow/math/transform.h"
 
 namespace dewbow::gltf {
@@ -17,10 +17,16 @@ struct PlacedNode {
     Json json;
     Affine world_from_node;  ///< finite, possibly singular
     std::string name;        ///< empty if it has none
+    std::size_t index = 0;   ///< among the file's nodes
+    bool visible = true;     ///< neither it nor one above it is hidden [KHR_node_visibility]
 };
 
-/// Calls `visit` for every node of the scene that the file shows, parents before children. A node
-/// with two parents, which a cycle has too, is an InputError.
-void for_each_node(Document& document, const std::function<void(const PlacedNode&)>& visit);
+/// Calls `visit` for every node of the scene that the file shows, as `pose` places them, parents
+/// before children. A node with two parents, which a cycle has too, is an InputError.
+void for_each_node(Document& document, const Pose& pose,
+                   const std::function<void(const PlacedNode&)>& visit);
+
+/// The rotation of a quaternion x, y, z, w of any length; nothing if it is zero.
+std::optional<Affine> rotation_of(const std::vector<double>& quaternion);
 
 }  // namespace dewbow::gltf

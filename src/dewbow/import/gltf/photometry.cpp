@@ -12,9 +12,10 @@ SpectrumPtr photometric_spectrum(Vec3 rgb, double size) {
     const double largest = std::max({rgb.x, rgb.y, rgb.z});
     if (largest <= 0.0 || size <= 0.0) return nullptr;
     // make_emission's (1, 1, 1) is as bright as the constant spectrum 1.
-    const double photometric_one = kLuminousEfficacy * cie_y_integral();
     const Vec3 hue = rgb / largest;
-    return make_scaled(make_emission({{hue.x, hue.y, hue.z}}), largest * size / photometric_one);
+    return make_scaled(make_emission({{hue.x, hue.y, hue.z}}), largest * size * one_nit());
 }
+
+double one_nit() { return 1.0 / (kLuminousEfficacy * cie_y_integral()); }
 
 }  // namespace dewbow::gltf

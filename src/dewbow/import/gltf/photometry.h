@@ -13,4 +13,7 @@ namespace dewbow::gltf {
 /// is black.
 SpectrumPtr photometric_spectrum(Vec3 rgb, double size);
 
+/// What the constant spectrum 1 W m⁻² sr⁻¹ nm⁻¹ is to be multiplied by for a luminance of 1 cd m⁻².
+double one_nit();
+
 }  // namespace dewbow::gltf

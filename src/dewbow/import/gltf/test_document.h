@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -69,20 +70,66 @@ inline std::string text_of(const Parts& p) {
            std::to_string(p.bytes.size()) + R"(, "uri": ")" + uri + R"("}])" + p.rest + "}";
 }
 
-inline ParsedScene parse(const Parts& parts) { return parse_gltf("test.gltf", text_of(parts)); }
+inline ParsedScene parse(const Parts& parts, std::optional<double> time_s = {}) {
+    return parse_gltf("test.gltf", text_of(parts), time_s);
+}
 
 inline const Mesh& mesh_of(const Shape& shape) {
     return *std::get<std::shared_ptr<const Mesh>>(shape.geometry);
 }
 
 /// The message of the InputError that reading `parts` throws; empty if it throws none.
-inline std::string error_of(const Parts& parts) {
+inline std::string error_of(const Parts& parts, std::optional<double> time_s = {}) {
     try {
-        parse(parts);
+        parse(parts, time_s);
     } catch (const InputError& error) {
         return error.what();
     }
     return {};
+}
+
+/// A buffer that grows, with its views and accessors. Accessor 0 is the triangle's positions.
+class Buffer {
+public:
+    Buffer() { add(bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}), "5126", 3, "VEC3"); }
+
+    /// @param more  further members, each with a comma before it. Returns the view's index.
+    int view(const std::string& bytes, const std::string& more = "") {
+        views_ += (views_.empty() ? "" : ",") +
+                  (R"({"buffer": 0, "byteOffset": )" + std::to_string(bytes_.size())) +
+                  R"(, "byteLength": )" + std::to_string(bytes.size()) + more + "}";
+        bytes_ += bytes;
+        bytes_.resize((bytes_.size() + 3) / 4 * 4);
+        return view_count_++;
+    }
+    /// Returns the accessor's index.
+    int add(const std::string& bytes, const char* component_type, int count, const char* type,
+            const std::string& more = "", const std::string& view_more = "") {
+        const int where = view(bytes, view_more);
+        accessors_ += (accessors_.empty() ? "" : ",") +
+                      (R"({"bufferView": )" + std::to_string(where)) + R"(, "componentType": )" +
+                      component_type + R"(, "count": )" + std::to_string(count) + R"(, "type": ")" +
+                      type + "\"" + more + "}";
+        return accessor_count_++;
+    }
+    /// The document with a primitive of those attributes: `"POSITION": 0`.
+    Parts parts(const std::string& attributes, const std::string& primitive_more = "") const {
+        Parts parts;
+        parts.bytes = bytes_;
+        parts.views = "[" + views_ + "]";
+        parts.accessors = "[" + accessors_ + "]";
+        parts.primitive =
+            R"({"attributes": {)" + attributes + R"(}, "material": 0)" + primitive_more + "}";
+        return parts;
+    }
+
+private:
+    std::string bytes_, views_, accessors_;
+    int view_count_ = 0, accessor_count_ = 0;
+};
+
+inline std::string data_uri(const std::string& bytes) {
+    return "data:application/octet-stream;base64," + base64(bytes);
 }
 
 }  // namespace dewbow::gltf_test

@@ -28,6 +28,7 @@ public:
     std::optional<Json> find(std::string_view key) const;
     Json require(std::string_view key) const;
     std::vector<std::string> keys() const;
+    bool is_text() const { return std::holds_alternative<std::string>(value_->value); }
     bool is_object() const { return std::holds_alternative<JsonValue::Object>(value_->value); }
 
     /// Length of an array. InputError if this is none.
