@@ -86,7 +86,7 @@ void choose_camera(const SourcePlace& file, const std::string& wish, ParsedScene
 void complete(const SourcePlace& file, const LoadOptions& options, ParsedScene& parsed) {
     Scene& scene = parsed.scene;
     choose_camera(file, options.camera, parsed);
-    if (!brings_light(scene)) add_studio(scene);
+    if (!brings_light(scene, parsed.least_lamp_luminance)) add_studio(scene);
 }
 
 }  // namespace

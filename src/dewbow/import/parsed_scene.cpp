@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "dewbow/spectrum/cie.h"
+#include "dewbow/spectrum/rgb.h"
+
 namespace dewbow {
 namespace {
 
@@ -43,6 +46,13 @@ std::vector<char> materials_in_use(const Scene& scene) {
     return used;
 }
 
+/// The largest that the surface may have, in cd m⁻²: of a picture, where its texels are white.
+double luminance_of(const Material& material) {
+    if (material.emission) return kLuminousEfficacy * xyz_from_spectrum(*material.emission)[1];
+    const auto& factor = material.emission_texture->factor;
+    return kLuminousEfficacy * cie_y_integral() * xyz_from_rgb(factor)[1];
+}
+
 }  // namespace
 
 void offer_camera(Scene& scene, CameraView camera) {
@@ -56,13 +66,13 @@ void offer_camera(Scene& scene, CameraView camera) {
     scene.cameras.push_back(std::move(camera));
 }
 
-bool brings_light(const Scene& scene) {
+bool brings_light(const Scene& scene, double least_luminance) {
     const std::vector<char> used = materials_in_use(scene);
     bool something_rough = false;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& material = scene.materials[i];
-        if (material.gives_light()) return true;
+        if (material.gives_light() && luminance_of(material) > least_luminance) return true;
         something_rough |= std::holds_alternative<Diffuse>(material.surface) ||
                            std::holds_alternative<Conductor>(material.surface) ||
                            std::holds_alternative<MetallicRoughness>(material.surface);

@@ -14,14 +14,17 @@ struct ParsedScene {
     Scene scene;
     Diagnostics diagnostics;
     bool camera_stated = false;  ///< the file says which of its cameras takes the picture
+    /// What glows with less, in cd m⁻², is a label or a screen, and no light to see by.
+    double least_lamp_luminance = 0.0;
 };
 
 /// Adds a camera to those that `scene` offers. Where its name is taken or empty it gets a number:
 /// "camera", "camera 2", "camera 3".
 void offer_camera(Scene& scene, CameraView camera);
 
-/// True if something in the scene gives off light that its surfaces can show.
-bool brings_light(const Scene& scene);
+/// True if something in the scene gives off light that its surfaces can show: a light, or a surface
+/// of more than `least_luminance` cd m⁻².
+bool brings_light(const Scene& scene, double least_luminance = 0.0);
 
 /// Does away with mirror images, so that front faces are counter-clockwise in every frame.
 class Mirrors {

@@ -17,6 +17,8 @@ using namespace gltf;
 
 constexpr std::string_view kKnownNodeExtensions[] = {"EXT_mesh_gpu_instancing",
                                                      "KHR_lights_punctual", "KHR_node_visibility"};
+/// Spectra of a stated luminance have it to four digits.
+constexpr double kRounding = 1e-3;
 /// Most shapes (primitives times the nodes that place them) of a file.
 constexpr std::size_t kMaxShapes = std::size_t{1} << 22;
 
@@ -53,6 +55,8 @@ public:
     ParsedScene build() {
         parsed_.scene = make_empty_scene();
         parsed_.scene.film.white_luminance = 1.0;
+        // Viewers of glTF light what does not shine brighter than white itself.
+        parsed_.least_lamp_luminance = 1.0 + kRounding;
         parsed_.scene.film.exposure = ExposureMode::automatic_if_far;
         for_each_node(document_, pose_, [&](const PlacedNode& node) { add_node(node); });
         if (parsed_.scene.shapes.empty()) {

@@ -69,7 +69,10 @@ std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* 
         merge(scene, guest.scene, placement, read_overrides(table, guest.scene, names));
         table.finish();
 
-        Import import{name, {}, guest.scene.film.white_luminance, brings_light(guest.scene)};
+        Import import{name,
+                      {},
+                      guest.scene.film.white_luminance,
+                      brings_light(guest.scene, guest.least_lamp_luminance)};
         for (const CameraView& camera : guest.scene.cameras) {
             import.cameras.push_back(moved(camera, placement));
             import.cameras.back().name = fmt::format("{}/{}", name, camera.name);
