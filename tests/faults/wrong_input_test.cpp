@@ -473,8 +473,12 @@ TEST(WrongInput, Gltf) {
              [](Parts& p) { p.rest = R"(, "extensionsRequired": ["EXT_of_nobody"])"; },
              {"/extensionsRequired/0: ", "EXT_of_nobody"}),
         gltf("draco",
-             [](Parts& p) { p.rest = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"; },
-             {"KHR_draco_mesh_compression", "without compression"}),
+             [](Parts& p) {
+                 p.primitive =
+                     R"({"attributes": {"POSITION": 0}, "extensions": {"KHR_draco_mesh_compression":
+                         {"bufferView": 0, "attributes": {"POSITION": 0}}}})";
+             },
+             {"KHR_draco_mesh_compression: ", "does not begin with \"DRACO\""}),
         gltf(
             "accessor",
             [&](Parts& p) { p.accessors = R"([{"bufferView": 0, "count": 9, )" + position + "}]"; },
