@@ -56,6 +56,10 @@ std::vector<int> add_materials(Scene& host, const Scene& guest,
 
 }  // namespace
 
+Light moved(const Light& light, const Affine& world_from_guest) {
+    return std::visit(MoveLight{world_from_guest}, light);
+}
+
 Affine without_scale(const Affine& affine) {
     const Vec3 eye = affine.apply({});
     const Vec3 ahead = normalised(affine.apply_linear({0.0, 0.0, -1.0}));
@@ -82,9 +86,7 @@ void merge(Scene& host, const Scene& guest, const Affine& world_from_guest,
             Transform<World, Object>(world_from_guest * shape.world_from_object.affine());
         host.shapes.push_back(mirrors.upright(std::move(shape)));
     }
-    for (const Light& light : guest.lights) {
-        host.lights.push_back(std::visit(MoveLight{world_from_guest}, light));
-    }
+    for (const Light& light : guest.lights) host.lights.push_back(moved(light, world_from_guest));
 }
 
 }  // namespace dewbow

@@ -18,6 +18,9 @@ struct MaterialOverride {
 void merge(Scene& host, const Scene& guest, const Affine& world_from_guest,
            const std::vector<MaterialOverride>& overrides);
 
+/// The light as it stands after the move.
+Light moved(const Light& light, const Affine& world_from_guest);
+
 /// The camera as it stands after the move: no scale and no mirror image is left in its frame. An
 /// orthographic picture's height grows with the scale.
 CameraView moved(CameraView camera, const Affine& world_from_guest);

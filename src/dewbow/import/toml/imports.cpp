@@ -51,7 +51,7 @@ std::vector<MaterialOverride> read_overrides(Table& import, const Scene& guest,
 
 std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* imports,
                                  const MaterialNames& names, const std::filesystem::path& folder,
-                                 Scene& scene, Diagnostics& diagnostics) {
+                                 Scene& scene, Groups& groups, Diagnostics& diagnostics) {
     std::vector<Import> result;
     for_each_table(document, imports, "imports", [&](const TomlValue& value, std::size_t number) {
         if (number > kMaxImports) fail(document, value.place, "there are more than 1000 imports");
@@ -66,7 +66,9 @@ std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* 
         if (taken && table.find("name"))
             table.fail_here(fmt::format("has the name of another: {}", name));
         const Affine placement = read_placement(table, false);
+        const Groups::Mark mark = Groups::mark(scene);
         merge(scene, guest.scene, placement, read_overrides(table, guest.scene, names));
+        groups.take(table, scene, mark);
         table.finish();
 
         Import import{name,

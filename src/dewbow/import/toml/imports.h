@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// [[imports]] tables: `file` (.gltf, .glb, .obj, .ply), `name`, where it stands (placement.h), and
-// [imports.materials]: its material's name = the name of a material of this file.
+// [[imports]] tables: `file` (.gltf, .glb, .obj, .ply, .stl), `name`, `group` (instances.h), where
+// it stands (placement.h), and [imports.materials]: its material's name = the name of a material of
+// this file.
 
 #include <filesystem>
 
-#include "dewbow/import/toml/materials.h"
+#include "dewbow/import/toml/instances.h"
 
 namespace dewbow::toml_import {
 
@@ -21,6 +22,6 @@ struct Import {
 /// Adds the imports of the array `imports` to `scene`. Files lie in `folder`. nullptr adds none.
 std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* imports,
                                  const MaterialNames& names, const std::filesystem::path& folder,
-                                 Scene& scene, Diagnostics& diagnostics);
+                                 Scene& scene, Groups& groups, Diagnostics& diagnostics);
 
 }  // namespace dewbow::toml_import

@@ -113,11 +113,13 @@ ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text
     read_render(document, root.find("render"), scene.render);
     read_surroundings(document, root.find("surroundings"), scene);
     const MaterialNames names = read_materials(document, root.find("materials"), folder, scene);
-    read_shapes(document, root.find("shapes"), names, folder, scene, parsed.diagnostics);
+    Groups groups;
+    read_shapes(document, root.find("shapes"), names, folder, scene, groups, parsed.diagnostics);
     read_lights(document, root.find("lights"), folder, scene, parsed.diagnostics);
-    const bool lit_itself = brings_light(scene);
-    const auto imports =
-        read_imports(document, root.find("imports"), names, folder, scene, parsed.diagnostics);
+    const bool lit_itself = brings_light(scene) || groups.bring_light(scene);
+    const auto imports = read_imports(document, root.find("imports"), names, folder, scene, groups,
+                                      parsed.diagnostics);
+    read_instances(document, root.find("instances"), names, folder, groups, scene);
     adopt_white(film, lit_itself, imports, scene);
     read_cameras(document, root.find("camera"), root.find("cameras"), imports, parsed);
     root.finish();

@@ -7,7 +7,8 @@
 //
 //     [camera]           view.h        [materials.NAME]   materials.h      [[lights]]    lights.h
 //     [film]             view.h        [[shapes]]         shapes.h         [[imports]]   imports.h
-//     [render]           view.h        [surroundings]     glass.h
+//     [render]           view.h        [surroundings]     glass.h          [[instances]]
+//     instances.h
 
 #include <filesystem>
 

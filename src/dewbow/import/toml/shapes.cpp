@@ -66,28 +66,30 @@ const ShapeType& read_type(Table& table) {
     return shape_types()[read_choice(table.document(), value, "shape type", names)];
 }
 
-Shape read_shape(const TomlDocument& document, const TomlValue& value, std::size_t number,
-                 const MaterialNames& names, ShapeContext& context) {
-    Table table(document, value, fmt::format("shape {}", number));
+Shape read_shape(Table& table, std::size_t number, const MaterialNames& names,
+                 ShapeContext& context) {
     const ShapeType& type = read_type(table);
     Shape shape;
     shape.name = table.text("name", fmt::format("{} {}", type.name, number));
     shape.geometry = type.read(table, context);
-    shape.material = names.read(document, table.require("material"), "material");
+    shape.material = names.read(table.document(), table.require("material"), "material");
     shape.world_from_object = Transform<World, Object>(read_placement(table, true));
-    table.finish();
     return shape;
 }
 
 }  // namespace
 
 void read_shapes(const TomlDocument& document, const TomlValue* shapes, const MaterialNames& names,
-                 const std::filesystem::path& folder, Scene& scene, Diagnostics& diagnostics) {
+                 const std::filesystem::path& folder, Scene& scene, Groups& groups,
+                 Diagnostics& diagnostics) {
     ShapeContext context{folder, diagnostics, {}};
     Mirrors mirrors;
     for_each_table(document, shapes, "shapes", [&](const TomlValue& value, std::size_t number) {
-        scene.shapes.push_back(
-            mirrors.upright(read_shape(document, value, number, names, context)));
+        Table table(document, value, fmt::format("shape {}", number));
+        const Groups::Mark mark = Groups::mark(scene);
+        scene.shapes.push_back(mirrors.upright(read_shape(table, number, names, context)));
+        groups.take(table, scene, mark);
+        table.finish();
     });
 }
 
