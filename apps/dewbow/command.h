@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dewbow/base/progress.h"
+#include "dewbow/import/import.h"
 #include "dewbow/render/film.h"
 #include "dewbow/spectrum/display.h"
 #include "dewbow/spectrum/wavelengths.h"
@@ -30,7 +31,7 @@ struct Replay {
 /// `dewbow render`. What is not set is as the scene says.
 struct RenderCommand {
     std::string scene_file;
-    std::string camera;                ///< empty: as the scene says
+    LoadOptions load;
     std::vector<std::string> outputs;  ///< empty: the scene's stem with .exr and .png
     std::optional<PictureSize> size;
     std::optional<int> samples_per_pixel;
@@ -53,6 +54,13 @@ struct RenderCommand {
     bool json = false;
 };
 
+/// `dewbow scene check`.
+struct SceneCheckCommand {
+    std::string scene_file;
+    LoadOptions load;
+    bool json = false;
+};
+
 struct GlassListCommand {
     bool json = false;
 };
@@ -68,13 +76,15 @@ struct ShowText {
     std::string text;
 };
 
-using Command = std::variant<ShowText, RenderCommand, GlassListCommand, GlassShowCommand>;
+using Command =
+    std::variant<ShowText, RenderCommand, SceneCheckCommand, GlassListCommand, GlassShowCommand>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);
 
 // Each subcommand returns the program's exit code.
 int run_render(const RenderCommand& command);
+int run_scene_check(const SceneCheckCommand& command);
 int run_glass_list(const GlassListCommand& command);
 int run_glass_show(const GlassShowCommand& command);
 

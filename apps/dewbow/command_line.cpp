@@ -35,10 +35,17 @@ constexpr std::string_view kRenderExamples = R"(Examples:
   dewbow render ring.glb -o ring.png --time 2m --exposure 0.5
   dewbow render prism.toml --noise 0.01 --json        stop at 1 % noise; tell a program
   dewbow render prism.toml --crop 100,50,64x64        a part, with the very pixels of the whole
+  dewbow render ring.glb --glass Stone=gem/diamond    with another glass; --set, --env, --camera
   dewbow render prism.toml --pixel 12,7 --sample 3    what one path brought home
 
 Exit codes: 0 done, 1 failed, 2 used wrongly, 3 done but more than one sample in a million was
 invalid, 130 or 143 interrupted (what was rendered so far is written).)";
+
+constexpr std::string_view kSceneExamples = R"(Examples:
+  dewbow scene check ring.glb
+  dewbow scene check ring.glb --glass Diamond=gem/diamond --json
+
+Exit codes: 0 the scene can be rendered, 1 it cannot, 2 used wrongly.)";
 
 constexpr std::string_view kGlassExamples = R"(Examples:
   dewbow glass list
@@ -85,10 +92,16 @@ const std::vector<std::string> kWavelengthNames{"visual", "uniform"};
 const std::vector<std::string> kPacketNames{"1", "4", "8", "16"};
 
 /// Every option's text as it was given; an option that was not is absent.
+struct SceneTexts {
+    std::optional<std::string> scene, camera, environment;
+    std::vector<std::string> glasses, settings;
+};
+
 struct RenderTexts {
+    SceneTexts scene;
     std::vector<std::string> outputs;
-    std::optional<std::string> scene, camera, size, spp, time, noise, crop, threads, seed, packet,
-        exposure, gamut, spectral_bins, max_depth, wavelengths, estimator, pixel, sample, progress;
+    std::optional<std::string> size, spp, time, noise, crop, threads, seed, packet, exposure, gamut,
+        spectral_bins, max_depth, wavelengths, estimator, pixel, sample, progress;
     bool quiet = false, json = false;
 };
 
@@ -101,6 +114,7 @@ public:
         app_.footer(std::string(kExamples));
         app_.allow_extras();
         add_render();
+        add_scene();
         add_glass();
     }
 
@@ -125,6 +139,7 @@ public:
         }
         refuse_extras();
         if (render_->parsed()) return render_command();
+        if (scene_check_->parsed()) return scene_check_command();
         if (glass_list_->parsed()) return glass_list_command_;
         if (glass_show_->parsed()) return glass_show_command();
         throw UsageError("a subcommand is missing", help_hint());
@@ -144,13 +159,45 @@ private:
         app.add_flag(name, flag, what)->disable_flag_override();
     }
 
+    /// The scene's file, and what is to be otherwise in it.
+    static void add_scene_options(CLI::App& app, SceneTexts& t) {
+        text_option(app, "scene", t.scene, "The scene (" + endings(scene_extensions()) + ")",
+                    "FILE");
+        const auto repeatable = [&](const char* name, std::vector<std::string>& texts,
+                                    const std::string& what, const std::string& form) {
+            app.add_option(name, texts, what)->type_name(form)->allow_extra_args(false);
+        };
+        text_option(app, "--camera", t.camera, "The camera of the scene that takes the picture",
+                    "NAME");
+        repeatable("--glass", t.glasses, "Make a material a body of that glass; repeatable",
+                   "MATERIAL=GLASS");
+        text_option(app, "--env", t.environment,
+                    "Surround the scene with this picture (.exr, .hdr) instead of its own "
+                    "environment",
+                    "FILE");
+        repeatable("--set", t.settings,
+                   "Put a value into the scene file, or above a file of another format; repeatable",
+                   "PATH=VALUE");
+    }
+
+    void add_scene() {
+        scene_ = app_.add_subcommand("scene", "Look into scenes");
+        scene_->allow_extras();
+        scene_->footer(std::string(kSceneExamples));
+        scene_check_ = scene_->add_subcommand(
+            "check", "Tell what is in a scene, what is not used, and what will cost time");
+        scene_check_->allow_extras();
+        scene_check_->footer(std::string(kSceneExamples));
+        add_scene_options(*scene_check_, scene_check_texts_);
+        add_flag(*scene_check_, "--json", scene_check_json_, "Print JSON");
+    }
+
     void add_render() {
         render_ = app_.add_subcommand("render", "Render a scene to pictures");
         render_->allow_extras();
         render_->footer(std::string(kRenderExamples));
         RenderTexts& t = render_texts_;
-        text_option(*render_, "scene", t.scene, "The scene (" + endings(scene_extensions()) + ")",
-                    "FILE");
+        add_scene_options(*render_, t.scene);
         render_
             ->add_option("-o,--output", t.outputs,
                          "A picture to write (" + endings(picture_extensions()) +
@@ -162,7 +209,6 @@ private:
                              const std::string& what, const std::string& form) {
             text_option(*render_, name, text, what, form);
         };
-        add("--camera", t.camera, "The camera of the scene that takes the picture", "NAME");
         add("--size", t.size, "Size of the picture in pixels", "WxH");
         add("--spp", t.spp, "Samples per pixel. With --time or --noise: as many as these allow",
             "N");
@@ -257,15 +303,36 @@ private:
         throw UsageError("unknown subcommand \"" + word + "\"", hint_for(word, names));
     }
 
+    std::string scene_file(const SceneTexts& t) const {
+        if (!t.scene || t.scene->empty()) throw UsageError("the scene is missing", help_hint());
+        return *t.scene;
+    }
+
+    LoadOptions load_options(const SceneTexts& t) const {
+        if (t.camera && t.camera->empty()) throw UsageError("--camera wants a name", help_hint());
+        if (t.environment && t.environment->empty())
+            throw UsageError("--env wants the name of a file", help_hint());
+        LoadOptions load;
+        load.camera = t.camera.value_or("");
+        load.environment = t.environment.value_or("");
+        load.settings = t.settings;
+        for (const std::string& text : t.glasses)
+            load.glasses.push_back(parse_glass_override("--glass", text));
+        return load;
+    }
+
+    SceneCheckCommand scene_check_command() const {
+        return {scene_file(scene_check_texts_), load_options(scene_check_texts_),
+                scene_check_json_};
+    }
+
     RenderCommand render_command() const {
         const RenderTexts& t = render_texts_;
-        if (!t.scene || t.scene->empty()) throw UsageError("the scene is missing", help_hint());
         RenderCommand command;
-        command.scene_file = *t.scene;
+        command.scene_file = scene_file(t.scene);
+        command.load = load_options(t.scene);
         for (const std::string& output : t.outputs)
             command.outputs.push_back(parse_file_name("--output", output, picture_extensions()));
-        if (t.camera && t.camera->empty()) throw UsageError("--camera wants a name", help_hint());
-        command.camera = t.camera.value_or("");
         command.quiet = t.quiet;
         command.json = t.json;
         if (t.size) command.size = parse_size("--size", *t.size);
@@ -350,8 +417,11 @@ private:
     }
 
     CLI::App app_;
-    CLI::App *render_ = nullptr, *glass_ = nullptr, *glass_list_ = nullptr, *glass_show_ = nullptr;
+    CLI::App *render_ = nullptr, *scene_ = nullptr, *scene_check_ = nullptr, *glass_ = nullptr,
+             *glass_list_ = nullptr, *glass_show_ = nullptr;
     RenderTexts render_texts_;
+    SceneTexts scene_check_texts_;
+    bool scene_check_json_ = false;
     GlassListCommand glass_list_command_;
     std::optional<std::string> glass_name_;
     std::vector<std::string> glass_at_;

@@ -14,6 +14,7 @@ using namespace dewbow;
 struct Run {
     int operator()(const ShowText& show) const { return print_data(show.text), kDone; }
     int operator()(const RenderCommand& command) const { return run_render(command); }
+    int operator()(const SceneCheckCommand& command) const { return run_scene_check(command); }
     int operator()(const GlassListCommand& command) const { return run_glass_list(command); }
     int operator()(const GlassShowCommand& command) const { return run_glass_show(command); }
 };

@@ -141,4 +141,12 @@ std::size_t parse_word(std::string_view option, std::string_view text,
                      hint_for(text, words));
 }
 
+GlassOverride parse_glass_override(std::string_view option, std::string_view text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size())
+        throw UsageError(fmt::format("{} is {}; it must be MATERIAL=GLASS", option, text),
+                         "for instance --glass Diamond=gem/diamond");
+    return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
 }  // namespace dewbow

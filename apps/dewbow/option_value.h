@@ -38,6 +38,9 @@ std::chrono::duration<double> parse_duration(std::string_view option, std::strin
 std::string parse_file_name(std::string_view option, std::string_view text,
                             std::span<const std::string> extensions);
 
+/// "MATERIAL=GLASS", divided at the last "=".
+GlassOverride parse_glass_override(std::string_view option, std::string_view text);
+
 /// The index of `text` in `words`.
 std::size_t parse_word(std::string_view option, std::string_view text,
                        std::span<const std::string> words);

@@ -36,11 +36,22 @@ std::vector<std::filesystem::path> output_paths(const RenderCommand& command) {
     return paths;
 }
 
+/// The options of `load`, as they are typed.
+std::string load_options_text(const LoadOptions& load) {
+    std::string text;
+    if (!load.camera.empty()) text += " --camera " + shell_quoted(load.camera);
+    for (const GlassOverride& glass : load.glasses)
+        text += " --glass " + shell_quoted(glass.material + "=" + glass.glass);
+    if (!load.environment.empty()) text += " --env " + shell_quoted(load.environment);
+    for (const std::string& setting : load.settings) text += " --set " + shell_quoted(setting);
+    return text;
+}
+
 /// The command that replays a sample, but for --pixel, --sample and --seed: all that a sample
 /// depends on.
 std::string replay_command(const RenderCommand& command) {
     std::string text = "dewbow render " + shell_quoted(command.scene_file);
-    if (!command.camera.empty()) text += " --camera " + shell_quoted(command.camera);
+    text += load_options_text(command.load);
     if (command.size)
         text += fmt::format(" --size {}x{}", command.size->width, command.size->height);
     if (command.packet) text += fmt::format(" --packet {}", *command.packet);
@@ -84,7 +95,7 @@ void print_diagnostics(const Diagnostics& diagnostics) {
 }
 
 Scene load(const RenderCommand& command) {
-    ImportedScene imported = load_scene(command.scene_file, {.camera = command.camera});
+    ImportedScene imported = load_scene(command.scene_file, command.load);
     print_diagnostics(imported.diagnostics);
     apply_options(command, imported.scene);
     validate_view(imported.scene);

@@ -7,6 +7,7 @@
 #include "dewbow/import/gltf/gltf.h"
 #include "dewbow/import/mesh/mesh_file.h"
 #include "dewbow/import/one_line.h"
+#include "dewbow/import/overrides.h"
 #include "dewbow/import/parsed_scene.h"
 #include "dewbow/import/toml/scene_toml.h"
 #include "dewbow/spectrum/cie.h"
@@ -19,12 +20,13 @@ struct SceneFormat {
     ParsedScene (*load)(const std::filesystem::path&);
 };
 
+ParsedScene load_plain_toml(const std::filesystem::path& path) { return load_toml(path); }
 ParsedScene load_gltf_scene(const std::filesystem::path& path) { return load_gltf(path); }
 
 const std::vector<SceneFormat>& scene_formats() {
     static const std::vector<SceneFormat> formats = {
-        {".toml", load_toml},      {".gltf", load_gltf_scene}, {".glb", load_gltf_scene},
-        {".obj", load_mesh_scene}, {".ply", load_mesh_scene},  {".stl", load_mesh_scene},
+        {".toml", load_plain_toml}, {".gltf", load_gltf_scene}, {".glb", load_gltf_scene},
+        {".obj", load_mesh_scene},  {".ply", load_mesh_scene},  {".stl", load_mesh_scene},
     };
     return formats;
 }
@@ -43,10 +45,17 @@ const SceneFormat& format_of(const std::filesystem::path& path) {
                      {}, "expected one of .toml, .gltf, .glb, .obj, .ply, .stl");
 }
 
+ParsedScene parse(const std::filesystem::path& path, const std::vector<std::string>& settings) {
+    const SceneFormat& format = format_of(path);
+    if (settings.empty()) return format.load(path);
+    if (format.extension == ".toml") return load_toml(path, settings);
+    return with_settings(path, format.load(path), settings);
+}
+
 /// The studio as bright as suits the film's white.
 void add_studio(Scene& scene) {
     auto studio = std::make_shared<ImageEnvironment>(*make_studio_environment());
-    studio->scale = scene.film.white_luminance / (kLuminousEfficacy * cie_y_integral());
+    studio->scale = environment_scale_of_white(scene.film);
     scene.lights.push_back(std::shared_ptr<const ImageEnvironment>(studio));
 }
 
@@ -101,7 +110,10 @@ const std::vector<std::string>& scene_extensions() {
 }
 
 ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
-    ParsedScene parsed = format_of(path).load(path);
+    ParsedScene parsed = parse(path, options.settings);
+    override_glasses(parsed.scene, options.glasses);
+    if (!options.environment.empty())
+        override_environment(parsed.scene, options.environment, parsed.diagnostics);
     complete({path.string(), 0, 0, {}}, options, parsed);
     try {
         validate(parsed.scene);

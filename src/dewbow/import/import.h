@@ -11,10 +11,20 @@
 
 namespace dewbow {
 
+/// A material, by name, that is to be a body of a glass.
+struct GlassOverride {
+    std::string material, glass;
+};
+
 /// What the caller wants otherwise than the file.
 struct LoadOptions {
     /// Name of the camera that takes the picture; empty: the file's own choice, or else its first.
-    std::string camera;
+    std::string camera{};
+    /// "film.width=400": values of the scene file, in its words (docs/scene-format.md). A file of
+    /// another format is taken as if a scene file imported it.
+    std::vector<std::string> settings{};
+    std::vector<GlassOverride> glasses{};
+    std::string environment{};  ///< a picture that takes the place of all environments; or empty
 };
 
 struct ImportedScene {
@@ -24,7 +34,7 @@ struct ImportedScene {
 
 /// Reads `path` by its extension (.toml, .gltf, .glb, .obj, .ply, .stl), completes it (a camera
 /// that frames it and a studio's light where the file brings none) and validates it. Throws
-/// InputError.
+/// InputError, or UsageError where an option is wrong.
 ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The extensions that load_scene reads, for messages and help.

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "dewbow/import/named_glass.h"
 #include "dewbow/import/toml/spectra.h"
-#include "dewbow/optics/catalogue.h"
 #include "dewbow/spectrum/rgb.h"
 
 namespace dewbow::toml_import {
@@ -25,10 +25,7 @@ const std::vector<std::string>& form_names() {
 
 DispersionPtr glass_of(const TomlDocument& document, const TomlValue& value) {
     const std::string& name = read_text(document, value, "glass");
-    // The very function that surrounds bodies by default, so that air in air bends nothing.
-    if (name == "air" || name == "fluid/air") return air();
-    if (name == "vacuum") return vacuum();
-    return at_place(document, value.place, [&] { return make_dispersion(find_glass(name).data); });
+    return at_place(document, value.place, [&] { return named_glass(name); });
 }
 
 DispersionPtr formula_of(const TomlDocument& document, const TomlValue& value) {

@@ -47,39 +47,52 @@ std::vector<MaterialOverride> read_overrides(Table& import, const Scene& guest,
     return overrides;
 }
 
+/// What the import's file holds; read from it unless it has been.
+ParsedScene guest_of(const TomlDocument& document, const TomlValue& file,
+                     const ImportContext& context, bool is_first) {
+    if (is_first && context.first) return *context.first;
+    const std::string& reference = read_text(document, file, "file");
+    return at_place(document, file.place,
+                    [&] { return load_guest(resolve_inside(context.folder, reference)); });
+}
+
+/// The import's own part: its name, and its cameras where they stand.
+Import describe_import(const std::string& name, const ParsedScene& guest, const Affine& placement,
+                       bool alone) {
+    Import import{name,
+                  {},
+                  guest.scene.film.white_luminance,
+                  brings_light(guest.scene, guest.least_lamp_luminance)};
+    for (const CameraView& camera : guest.scene.cameras) {
+        import.cameras.push_back(moved(camera, placement));
+        if (!alone) import.cameras.back().name = fmt::format("{}/{}", name, camera.name);
+    }
+    return import;
+}
+
 }  // namespace
 
 std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* imports,
-                                 const MaterialNames& names, const std::filesystem::path& folder,
-                                 Scene& scene, Groups& groups, Diagnostics& diagnostics) {
+                                 const ImportContext& context, Scene& scene, Groups& groups,
+                                 Diagnostics& diagnostics) {
     std::vector<Import> result;
     for_each_table(document, imports, "imports", [&](const TomlValue& value, std::size_t number) {
         if (number > kMaxImports) fail(document, value.place, "there are more than 1000 imports");
         Table table(document, value, fmt::format("import {}", number));
         const TomlValue& file = table.require("file");
-        const std::string& reference = read_text(document, file, "file");
-        const ParsedScene guest = at_place(
-            document, file.place, [&] { return load_guest(resolve_inside(folder, reference)); });
-        const std::string name = table.text("name", reference);
+        const ParsedScene guest = guest_of(document, file, context, number == 1);
+        const std::string name = table.text("name", read_text(document, file, "file"));
         const bool taken = std::any_of(result.begin(), result.end(),
                                        [&](const Import& other) { return other.name == name; });
         if (taken && table.find("name"))
             table.fail_here(fmt::format("has the name of another: {}", name));
         const Affine placement = read_placement(table, false);
         const Groups::Mark mark = Groups::mark(scene);
-        merge(scene, guest.scene, placement, read_overrides(table, guest.scene, names));
+        merge(scene, guest.scene, placement, read_overrides(table, guest.scene, context.names));
         groups.take(table, scene, mark);
         table.finish();
-
-        Import import{name,
-                      {},
-                      guest.scene.film.white_luminance,
-                      brings_light(guest.scene, guest.least_lamp_luminance)};
-        for (const CameraView& camera : guest.scene.cameras) {
-            import.cameras.push_back(moved(camera, placement));
-            import.cameras.back().name = fmt::format("{}/{}", name, camera.name);
-        }
-        result.push_back(std::move(import));
+        const bool alone = number == 1 && context.first != nullptr;
+        result.push_back(describe_import(name, guest, placement, alone));
         diagnostics.insert(diagnostics.end(), guest.diagnostics.begin(), guest.diagnostics.end());
     });
     return result;

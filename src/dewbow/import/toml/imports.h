@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "dewbow/import/parsed_scene.h"
 #include "dewbow/import/toml/instances.h"
 
 namespace dewbow::toml_import {
@@ -19,9 +20,15 @@ struct Import {
     bool lit = false;
 };
 
-/// Adds the imports of the array `imports` to `scene`. Files lie in `folder`. nullptr adds none.
+struct ImportContext {
+    const MaterialNames& names;
+    const std::filesystem::path& folder;  ///< where the files lie
+    const ParsedScene* first;             ///< what the first import holds; nullptr = read its file
+};
+
+/// Adds the imports of the array `imports` to `scene`, or to `groups`. nullptr adds none.
 std::vector<Import> read_imports(const TomlDocument& document, const TomlValue* imports,
-                                 const MaterialNames& names, const std::filesystem::path& folder,
-                                 Scene& scene, Groups& groups, Diagnostics& diagnostics);
+                                 const ImportContext& context, Scene& scene, Groups& groups,
+                                 Diagnostics& diagnostics);
 
 }  // namespace dewbow::toml_import

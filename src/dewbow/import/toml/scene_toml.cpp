@@ -9,6 +9,7 @@
 #include "dewbow/import/toml/imports.h"
 #include "dewbow/import/toml/lights.h"
 #include "dewbow/import/toml/materials.h"
+#include "dewbow/import/toml/settings.h"
 #include "dewbow/import/toml/shapes.h"
 #include "dewbow/import/toml/view.h"
 
@@ -98,14 +99,14 @@ void adopt_white(const TomlValue* film, bool lit_itself, const std::vector<Impor
     }
 }
 
-}  // namespace
-
-ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text) {
-    const TomlDocument document = parse_toml(path.string(), std::move(text));
+/// @param guest  what the first import holds, if it has been read.
+ParsedScene read_document(const TomlDocument& document, const std::filesystem::path& path,
+                          const ParsedScene* guest) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     ParsedScene parsed;
     parsed.scene = make_empty_scene();
     Scene& scene = parsed.scene;
+    if (guest) scene.film = guest->scene.film;
 
     Table root(document, document.root, "the scene file");
     const TomlValue* film = root.find("film");
@@ -117,8 +118,9 @@ ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text
     read_shapes(document, root.find("shapes"), names, folder, scene, groups, parsed.diagnostics);
     read_lights(document, root.find("lights"), folder, scene, parsed.diagnostics);
     const bool lit_itself = brings_light(scene) || groups.bring_light(scene);
-    const auto imports = read_imports(document, root.find("imports"), names, folder, scene, groups,
-                                      parsed.diagnostics);
+    const ImportContext context{names, folder, guest};
+    const auto imports =
+        read_imports(document, root.find("imports"), context, scene, groups, parsed.diagnostics);
     read_instances(document, root.find("instances"), names, folder, groups, scene);
     adopt_white(film, lit_itself, imports, scene);
     read_cameras(document, root.find("camera"), root.find("cameras"), imports, parsed);
@@ -126,10 +128,30 @@ ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text
     return parsed;
 }
 
-ParsedScene load_toml(const std::filesystem::path& path) {
+}  // namespace
+
+ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text,
+                             const std::vector<std::string>& settings) {
+    TomlDocument document = parse_toml(path.string(), std::move(text));
+    apply_settings(document, settings);
+    return read_document(document, path, nullptr);
+}
+
+ParsedScene with_settings(const std::filesystem::path& path, const ParsedScene& guest,
+                          const std::vector<std::string>& settings) {
+    const std::string name = path.filename().string();
+    TomlValue import{TomlValue::Table{{"file", {}, {name, {}}}}, {}};
+    TomlDocument document{path.string(), {}, {}, {}};
+    document.root.value =
+        TomlValue::Table{{"imports", {}, {TomlValue::Array{std::move(import)}, {}}}};
+    apply_settings(document, settings);
+    return read_document(document, path, &guest);
+}
+
+ParsedScene load_toml(const std::filesystem::path& path, const std::vector<std::string>& settings) {
     std::string text = read_file(path, kMaxTomlBytes);
     if (text.empty()) throw InputError(SourcePlace{path.string(), 0, 0, {}}, "the file is empty");
-    return parse_scene_toml(path, std::move(text));
+    return parse_scene_toml(path, std::move(text), settings);
 }
 
 }  // namespace dewbow

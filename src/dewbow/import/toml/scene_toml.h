@@ -16,10 +16,18 @@
 
 namespace dewbow {
 
-ParsedScene load_toml(const std::filesystem::path& path);
+/// @param settings  values that are otherwise than in the file (settings.h).
+ParsedScene load_toml(const std::filesystem::path& path,
+                      const std::vector<std::string>& settings = {});
 
 /// The same of text in memory; `path` is for messages, and its folder holds what the scene refers
 /// to.
-ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text);
+ParsedScene parse_scene_toml(const std::filesystem::path& path, std::string text,
+                             const std::vector<std::string>& settings = {});
+
+/// `guest`, which is what the file `path` holds, as if a scene file imported it that says nothing
+/// but `settings`.
+ParsedScene with_settings(const std::filesystem::path& path, const ParsedScene& guest,
+                          const std::vector<std::string>& settings);
 
 }  // namespace dewbow

@@ -67,7 +67,7 @@ struct Describe {
 std::string describe(const TomlValue& value) { return std::visit(Describe{}, value.value); }
 
 TomlDocument parse_toml(std::string file, std::string text) {
-    TomlDocument document{std::move(file), std::move(text), {}};
+    TomlDocument document{std::move(file), std::move(text), {}, {}};
     try {
         document.root = convert(toml::parse(document.text, document.file));
     } catch (const toml::parse_error& error) {

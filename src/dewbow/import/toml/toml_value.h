@@ -13,6 +13,7 @@ namespace dewbow::toml_import {
 
 struct TomlPlace {
     std::size_t line = 0, column = 0;  ///< from 1
+    std::size_t setting = 0;           ///< of TomlDocument::settings, from 1, instead; 0 = the file
 };
 
 struct TomlEntry;
@@ -40,7 +41,8 @@ struct TomlEntry {
 struct TomlDocument {
     std::string file;  ///< as the user named it
     std::string text;
-    TomlValue root;  ///< a table
+    TomlValue root;                       ///< a table
+    std::vector<std::string> settings{};  ///< that were put in (settings.h), as they were given
 };
 
 /// Throws InputError with line, column and excerpt where `text` is no TOML.

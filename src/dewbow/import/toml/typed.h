@@ -18,6 +18,7 @@
 
 namespace dewbow::toml_import {
 
+/// InputError; UsageError where a setting of the command line stands there.
 [[noreturn]] void fail(const TomlDocument& document, TomlPlace place, const std::string& sentence,
                        const std::string& hint = {});
 
