@@ -113,6 +113,7 @@ public:
         app_.set_version_flag("--version", "dewbow " DEWBOW_VERSION, "Show the version and end");
         app_.footer(std::string(kExamples));
         app_.allow_extras();
+        app_.require_subcommand(0, 1);  // a file may be named like another subcommand
         add_render();
         add_scene();
         add_glass();

@@ -58,6 +58,14 @@ struct Option {
 };
 
 const std::vector<Option> kRenderOptions{
+    {"--camera", {}, {"main"}, "--camera"},
+    {"--glass", {}, {"=", "a=", "=b", "a=N-BK7", "a=b=c"}, "--glass"},
+    {"--env", {}, {"scene.toml", "gone.exr", "."}, "--env"},
+    {"--set",
+     {},
+     {"=", "=1", "film", "film.width=", "film.width=0", "film.widht=8", "film=8", "film..width=8",
+      "film.width=8=8", "shapes.2.type=\"sphere\"", "[film]width=8"},
+     "--set"},
     {"--size",
      {},
      {"0x0", "0x8", "8x0", "-8x8", "8x-8", "70000x70000", "8", "8x", "x8", "8X8", "8x8x8", "8.5x8",
@@ -161,6 +169,8 @@ void refuse_all(const std::vector<std::string>& command, const std::vector<Optio
 TEST(Options, AllAreInTheTable) {
     EXPECT_EQ(options_of_help({"render"}), names_of(kRenderOptions));
     EXPECT_EQ(options_of_help({"glass", "show"}), names_of(kGlassOptions));
+    for (const std::string& name : options_of_help({"scene", "check"}))
+        EXPECT_TRUE(names_of(kRenderOptions).contains(name)) << name;
 }
 
 TEST(Options, OfRenderRefuseAbsurdValues) { refuse_all({"render", "scene.toml"}, kRenderOptions); }

@@ -73,8 +73,8 @@ void choose_camera(const SourcePlace& file, const std::string& wish, ParsedScene
         return;
     }
     if (!wish.empty()) {
-        throw InputError(
-            file, "there is no camera \"" + wish + "\"", {},
+        throw UsageError(
+            one_line("--camera " + wish + ": there is no camera \"" + wish + "\""),
             names.empty() ? "the scene has no camera" : one_line(hint_for(wish, names)));
     }
     if (names.empty()) {

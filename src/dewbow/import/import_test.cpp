@@ -219,9 +219,10 @@ TEST_F(ImportTest, CamerasThatAreNotThereAreErrors) {
         return std::string("no error");
     };
     const std::string gltf = write("ring.gltf", gltf_test::text_of(two_cameras()));
-    EXPECT_EQ(error_of(gltf, "clase"), "there is no camera \"clase\" | did you mean \"close\"?");
+    EXPECT_EQ(error_of(gltf, "clase"),
+              "--camera clase: there is no camera \"clase\" | did you mean \"close\"?");
     EXPECT_EQ(error_of(write("a.obj", kTriangle), "any"),
-              "there is no camera \"any\" | the scene has no camera");
+              "--camera any: there is no camera \"any\" | the scene has no camera");
 }
 
 TEST_F(ImportTest, WhatTheSceneSaysWins) {

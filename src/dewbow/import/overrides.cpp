@@ -71,8 +71,8 @@ void override_glass(Scene& scene, const GlassOverride& wish) {
     }
     if (found) return;
     throw UsageError(
-        "--glass " + wish.material + "=" + wish.glass + ": there is no material \"" +
-            wish.material + "\"",
+        one_line("--glass " + wish.material + "=" + wish.glass + ": there is no material \"" +
+                 wish.material + "\""),
         names.empty() ? "the scene has no material" : one_line(hint_for(wish.material, names)));
 }
 

@@ -27,7 +27,7 @@ std::optional<double> number_of(const TomlValue& value) {
 void fail(const TomlDocument& document, TomlPlace place, const std::string& sentence,
           const std::string& hint) {
     if (place.setting > 0)
-        throw UsageError({"--set " + document.settings[place.setting - 1], 0, 0, {}},
+        throw UsageError({one_line("--set " + document.settings[place.setting - 1]), 0, 0, {}},
                          one_line(sentence), {}, one_line(hint));
     throw InputError({document.file, place.line, place.column, {}}, one_line(sentence),
                      std::string(line_of(document.text, place.line)), one_line(hint));
