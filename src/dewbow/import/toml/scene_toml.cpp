@@ -106,7 +106,10 @@ ParsedScene read_document(const TomlDocument& document, const std::filesystem::p
     ParsedScene parsed;
     parsed.scene = make_empty_scene();
     Scene& scene = parsed.scene;
-    if (guest) scene.film = guest->scene.film;
+    if (guest) {
+        scene.film = guest->scene.film;
+        parsed.least_lamp_luminance = guest->least_lamp_luminance;
+    }
 
     Table root(document, document.root, "the scene file");
     const TomlValue* film = root.find("film");
