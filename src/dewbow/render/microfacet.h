@@ -4,6 +4,7 @@
 // The GGX distribution of microfacets. Directions are in the local frame: z is the surface's
 // normal. [Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007]
 
+#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -3,10 +3,9 @@
 #include <bit>
 #include <cmath>
 
-#include "dewbow/optics/refraction.h"
-#include "dewbow/render/bsdf.h"
 #include "dewbow/render/path/tracer.h"
 #include "dewbow/render/refract_lanes.h"
+#include "dewbow/render/surface/ggx_lobe.h"
 
 namespace dewbow::path_tracing {
 
@@ -84,7 +83,7 @@ void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits, in
             open_rough(path, group, hits, *glass, medium);
         else
             open_smooth(path, group, hits, *glass, medium);
-    } else if (OpaqueSurface::holds(material)) {
+    } else if (ScatteringSurface::holds(material)) {
         collapse(path, group, hits, material);
     } else if (std::holds_alternative<Black>(material.surface)) {
         path.active &= ~group;
@@ -165,30 +164,20 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
             refracted |= LaneMask(!boundary.none) << k;
             continue;
         }
-        SharedPath lane = lane_of(path, k);
-        LaneValues lane_eta;
-        lane_eta[0] = eta[k];
-        const double roughness = inputs_at(vertex).number(glass.roughness);
-        const double alpha = std::max(kLeastAlpha, roughness * roughness);
-        direct_rough(lane, vertex, alpha, boundary, lane_eta);
+        const SharedPath lane = lane_of(path, k);
+        const double alpha = alpha_of_roughness(inputs_at(vertex).number(glass.roughness));
         const LocalFrame frame(vertex.shading);
         const Vec3 wo = frame.to_local(vertex.wo);
         path.active &= ~(1u << k);
         if (wo.z <= 0.0) continue;
-        const Vec3 m = sample_visible_normal(wo, alpha, u_facet);
-        const double cos_m = std::min(1.0, dot(wo, m));
-        if (cos_m <= 0.0) continue;
-        const bool reflects = u < fresnel_dielectric(cos_m, eta[k]).unpolarised();
-        Vec3 wi = m * (2.0 * cos_m) - wo;
-        if (!reflects) {
-            const double cos_t = std::sqrt(std::max(0.0, cos2_transmitted(cos_m, eta[k])));
-            wi = m * (cos_m / eta[k] - cos_t) - wo * (1.0 / eta[k]);
-        }
-        wi = normalised(wi);
-        const Vec3 direction = frame.to_world(wi);
-        if ((wi.z > 0.0) != reflects || (dot(direction, vertex.geometric) > 0.0) != reflects)
-            continue;
-        const RoughDielectricValue value = eval_rough_dielectric(wo, wi, alpha, eta[k]);
+        const RoughDielectric surface(wo, alpha, eta[k]);
+        direct_rough(lane, vertex, frame, surface, glass, boundary);
+        const std::optional<Vec3> wi = surface.sample(u, u_facet);
+        if (!wi) continue;
+        const bool reflects = wi->z > 0.0;
+        const Vec3 direction = frame.to_world(*wi);
+        if ((dot(direction, vertex.geometric) > 0.0) != reflects) continue;
+        const RoughDielectric::Value value = surface.eval(*wi);
         if (!(value.pdf > 0.0)) continue;
         path.beta[k] *= value.f_cos / value.pdf;
         path.media[i] = reflects ? boundary.before : boundary.after;
@@ -202,7 +191,7 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
     tint_open(glass.tint, path, refracted, arriving, hits);
 }
 
-/// Mirrors and panes: rare among opened lanes.
+/// What is smooth and not glass: rare among opened lanes.
 void Tracer::open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hits,
                              const Material& material) {
     for (int k = 0; k < path.lanes.count; ++k) {
@@ -212,6 +201,8 @@ void Tracer::open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hit
         const Vertex vertex = vertex_at(lane.ray, hits[i]);
         if (const auto* m = std::get_if<Mirror>(&material.surface))
             mirror(lane, vertex, *m);
+        else if (const auto* c = std::get_if<Conductor>(&material.surface))
+            metal(lane, vertex, *c);
         else
             thin(lane, vertex, std::get<ThinDielectric>(material.surface));
         path.rays.set(k, lane.ray);
@@ -228,7 +219,9 @@ void Tracer::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
     for (int k = 0; k < path.lanes.count; ++k) {
         if (!(group >> k & 1u)) continue;
         const SharedPath lane = lane_of(path, k);
-        direct_opaque(lane, vertex_at(lane.ray, hits[std::size_t(k)]), material);
+        const Vertex vertex = vertex_at(lane.ray, hits[std::size_t(k)]);
+        const LocalFrame frame(vertex.shading);
+        direct_scattered(lane, vertex, frame, surface_at(lane, vertex, frame, material), material);
         total += path.beta[k];
     }
     path.active &= ~group;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 
-#include "dewbow/render/bsdf.h"
 #include "dewbow/render/path/tracer.h"
 
 namespace dewbow::path_tracing {
@@ -81,27 +80,29 @@ void Tracer::direct_light(const SharedPath& path, const Vertex& vertex, bool bot
     add(path.lanes, path.beta, radiance, weight / light->pdf, path.media);
 }
 
-void Tracer::direct_opaque(const SharedPath& path, const Vertex& vertex, const Material& material) {
-    const LocalFrame frame(vertex.shading);
-    const OpaqueSurface surface(material, inputs_at(vertex), path.lanes, frame.to_local(vertex.wo));
-    direct_light(path, vertex, false, [&](Vec3 direction, LaneValues& f) {
-        return surface.eval(frame.to_local(direction), f);
+void Tracer::direct_scattered(const SharedPath& path, const Vertex& vertex, const LocalFrame& frame,
+                              const ScatteringSurface& surface, const Material& material) {
+    const bool both_sides = ScatteringSurface::transmits(material);
+    direct_light(path, vertex, both_sides, [&](Vec3 direction, LaneValues& f) {
+        const Vec3 wi = frame.to_local(direction);
+        const bool above = dot(direction, vertex.geometric) > 0.0;
+        return (wi.z > 0.0) == above ? surface.eval(wi, f) : 0.0;
     });
 }
 
-void Tracer::direct_rough(const SharedPath& path, const Vertex& vertex, double alpha,
-                          const Boundary& boundary, const LaneValues& eta) {
-    const LocalFrame frame(vertex.shading);
-    const Vec3 wo = frame.to_local(vertex.wo);
-    if (wo.z <= 0.0) return;
+/// Of one lane.
+void Tracer::direct_rough(const SharedPath& path, const Vertex& vertex, const LocalFrame& frame,
+                          const RoughDielectric& surface, const Dielectric& glass,
+                          const Boundary& boundary) {
     SharedPath there = path;
     direct_light(there, vertex, true, [&](Vec3 direction, LaneValues& f) {
         const Vec3 wi = frame.to_local(direction);
         const bool above = dot(direction, vertex.geometric) > 0.0;
         if ((wi.z > 0.0) != above) return 0.0;
         there.media = above ? boundary.before : boundary.after;
-        const RoughDielectricValue value = eval_rough_dielectric(wo, wi, alpha, eta[0]);
+        const RoughDielectric::Value value = surface.eval(wi);
         f[0] = value.f_cos;
+        if (!above) tint(glass.tint, vertex, path.lanes, f);
         return value.pdf;
     });
 }

@@ -4,7 +4,6 @@
 
 #include "dewbow/optics/refraction.h"
 #include "dewbow/render/albedo.h"
-#include "dewbow/render/bsdf.h"
 #include "dewbow/render/path/tracer.h"
 
 namespace dewbow::path_tracing {
@@ -15,11 +14,8 @@ namespace {
 /// is given up: more than any real scene nests.
 constexpr int kMostPassed = 64;
 
-/// Reflectance of a pane: r + t² r + t² r³ + … = 2r / (1 + r).
-double pane_reflectance(double cosine, double n) {
-    const double r = fresnel_dielectric(std::min(1.0, cosine), n).unpolarised();
-    return 2.0 * r / (1.0 + r);
-}
+/// Surfaces are looked at from above, if only by rounding.
+constexpr double kLeastCosineSeen = 1e-12;
 
 }  // namespace
 
@@ -106,26 +102,37 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
                                 : smooth(path, vertex, *glass, prepared_.media.interior_of(id));
+    if (ScatteringSurface::holds(material)) return scatter(path, vertex, material, true);
     if (const auto* m = std::get_if<Mirror>(&material.surface)) return mirror(path, vertex, *m);
+    if (const auto* c = std::get_if<Conductor>(&material.surface)) return metal(path, vertex, *c);
     if (const auto* pane = std::get_if<ThinDielectric>(&material.surface))
         return thin(path, vertex, *pane);
-    if (OpaqueSurface::holds(material)) return scatter(path, vertex, material, true);
     return false;
+}
+
+ScatteringSurface Tracer::surface_at(const SharedPath& path, const Vertex& vertex,
+                                     const LocalFrame& frame, const Material& material) {
+    LaneValues outside;
+    index_around(path.lanes, path.media, outside);
+    Vec3 wo = frame.to_local(vertex.wo);
+    wo.z = std::max(wo.z, kLeastCosineSeen);
+    return {material, {inputs_at(vertex), path.lanes, outside, wo}};
 }
 
 bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& material,
                      bool take_direct) {
-    if (take_direct) direct_opaque(path, vertex, material);
-    const std::uint32_t at = vertex_key(path.depth, path.branch);
     const LocalFrame frame(vertex.shading);
-    const OpaqueSurface surface(material, inputs_at(vertex), path.lanes, frame.to_local(vertex.wo));
+    const ScatteringSurface surface = surface_at(path, vertex, frame, material);
+    if (take_direct) direct_scattered(path, vertex, frame, surface, material);
+    const std::uint32_t at = vertex_key(path.depth, path.branch);
     const std::optional<Vec3> wi =
         surface.sample(key_.one(at, Purpose::bsdf_lobe), key_.two(at, Purpose::bsdf_direction));
     if (!wi) return false;
     LaneValues f;
     const double pdf = surface.eval(*wi, f);
     const Vec3 direction = frame.to_world(*wi);
-    if (!(pdf > 0.0) || dot(direction, vertex.geometric) <= 0.0) return false;
+    const bool above = dot(direction, vertex.geometric) > 0.0;
+    if (!(pdf > 0.0) || above != (wi->z > 0.0)) return false;
     for (int k = 0; k < path.lanes.count; ++k) path.beta[k] *= f[k] / pdf;
     path.ray = vertex.leave(direction);
     path.from_specular = false;
@@ -136,22 +143,35 @@ bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& mat
     return true;
 }
 
-bool Tracer::mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror) {
-    tint(mirror.reflectance, vertex, path.lanes, path.beta);
+/// As a mirror does.
+bool Tracer::reflect(SharedPath& path, const Vertex& vertex) {
     path.ray = vertex.leave(normalised(reflected(vertex.wo, mirror_normal(vertex))));
     path.from_specular = true;
     ++path.depth;
     return true;
 }
 
+bool Tracer::mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror) {
+    tint(mirror.reflectance, vertex, path.lanes, path.beta);
+    return reflect(path, vertex);
+}
+
+bool Tracer::metal(SharedPath& path, const Vertex& vertex, const Conductor& conductor) {
+    LaneValues outside, reflectance;
+    index_around(path.lanes, path.media, outside);
+    const ConductorFresnel fresnel(conductor, path.lanes, outside);
+    fresnel.at(std::min(1.0, dot(vertex.wo, mirror_normal(vertex))), reflectance);
+    for (int k = 0; k < path.lanes.count; ++k) path.beta[k] *= reflectance[k];
+    return reflect(path, vertex);
+}
+
 bool Tracer::thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& pane) {
-    LaneValues n, r;
+    LaneValues n, around, r;
     pane.index->eval_lanes(path.lanes.lambdas(), n.first(path.lanes.count));
-    const auto& around = packet_media_.index(path.media.interior());
+    index_around(path.lanes, path.media, around);
     double mean = 0.0;
     for (int k = 0; k < path.lanes.count; ++k) {
-        r[k] = pane_reflectance(dot(vertex.wo, vertex.shading),
-                                n[k] / around[std::size_t(path.lanes.id[std::size_t(k)])]);
+        r[k] = pane_reflectance(dot(vertex.wo, vertex.shading), n[k] / around[k]);
         mean += r[k] / path.lanes.count;
     }
     const bool reflects = key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe) < mean;

@@ -96,6 +96,12 @@ void Tracer::indices(const LaneSet& lanes, const Boundary& boundary, LaneValues&
     }
 }
 
+/// Of the medium that a path lies in, against vacuum.
+void Tracer::index_around(const LaneSet& lanes, MediaStack media, LaneValues& index) {
+    const auto& here = packet_media_.index(media.interior());
+    for (int k = 0; k < lanes.count; ++k) index[k] = here[std::size_t(lanes.id[std::size_t(k)])];
+}
+
 bool Tracer::dispersive(const LaneValues& eta, int count) {
     for (int k = 1; k < count; ++k)
         if (std::abs(eta[k] - eta[0]) > kSameIndex) return true;

@@ -30,6 +30,9 @@
 
 #include "dewbow/base/random.h"
 #include "dewbow/render/path/path.h"
+#include "dewbow/render/surface/local_frame.h"
+#include "dewbow/render/surface/rough_dielectric.h"
+#include "dewbow/render/surface/scattering_surface.h"
 #include "dewbow/render/surface_inputs.h"
 
 namespace dewbow::path_tracing {
@@ -123,7 +126,11 @@ private:
     bool interact(SharedPath& path, const Hit& hit);
     bool scatter(SharedPath& path, const Vertex& vertex, const Material& material,
                  bool take_direct);
+    ScatteringSurface surface_at(const SharedPath& path, const Vertex& vertex,
+                                 const LocalFrame& frame, const Material& material);
+    bool reflect(SharedPath& path, const Vertex& vertex);
     bool mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror);
+    bool metal(SharedPath& path, const Vertex& vertex, const Conductor& conductor);
     bool thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& pane);
     bool smooth(SharedPath& path, const Vertex& vertex, const Dielectric& glass, int id);
     bool rough(SharedPath& path, const Hit& hit, const Dielectric& glass, int id);
@@ -154,9 +161,11 @@ private:
                       bool specular, double pdf, Vec3 from, MediaStack media);
     template <class Eval>
     void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, Eval&& eval);
-    void direct_opaque(const SharedPath& path, const Vertex& vertex, const Material& material);
-    void direct_rough(const SharedPath& path, const Vertex& vertex, double alpha,
-                      const Boundary& boundary, const LaneValues& eta);
+    void direct_scattered(const SharedPath& path, const Vertex& vertex, const LocalFrame& frame,
+                          const ScatteringSurface& surface, const Material& material);
+    void direct_rough(const SharedPath& path, const Vertex& vertex, const LocalFrame& frame,
+                      const RoughDielectric& surface, const Dielectric& glass,
+                      const Boundary& boundary);
 
     // Helpers.
     Vertex vertex_at(const Ray& ray, const Hit& hit) const;
@@ -167,6 +176,7 @@ private:
     const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
     Boundary boundary_at(MediaStack media, bool front, int id) const;
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
+    void index_around(const LaneSet& lanes, MediaStack media, LaneValues& index);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
     bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
     bool roulette(LaneValues& beta, int count, LaneMask mask, int depth,
