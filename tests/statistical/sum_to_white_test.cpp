@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dewbow/render/surface/dielectric_energy.h"
 #include "dewbow/spectrum/illuminant.h"
 #include "estimate.h"
 
@@ -70,19 +71,21 @@ TEST(SumToWhite, ClearBodiesAreAsWhiteAsTheLight) {
     }
 }
 
-/// Rough glass loses what its microfacets scatter twice, alike however the light is carried.
+/// Rough glass gives back what its microfacets scatter twice, to within what its tables are wrong
+/// by at each of some ten surfaces of a path; and alike however the light is carried.
 TEST(SumToWhite, RoughGlassIsTheSameByAllWays) {
     Scene scene = in_light(find_illuminant("D65"));
     add(scene, Sphere{1.0 * m}, dielectric(glass("schott/N-SF66"), 0.4));
     const VectorSums reference =
         estimate(scene, kView, {16, WavelengthSampling::uniform, kSamples, 11});
     const Triple white = xyz_of(*find_illuminant("D65"));
-    EXPECT_LT(reference.mean()[1], white[1]);
-    EXPECT_GT(reference.mean()[1], 0.8 * white[1]);
+    constexpr double kSurfacesOfAPath = 2.0;  // that are rough enough to count: a guess from above
+    EXPECT_NEAR(reference.mean()[1] / white[1], 1.0, kSurfacesOfAPath * kDielectricEnergyError);
+    std::printf("    Y of white: %.4f\n", reference.mean()[1] / white[1]);
     for (const int packet : {1, 8}) {
         const VectorSums sums =
             estimate(scene, kView,
-                     {packet, WavelengthSampling::visual, packet == 1 ? 400000 : kSamples, 12});
+                     {packet, WavelengthSampling::visual, packet == 1 ? 500000 : kSamples, 12});
         const double t2 = hotelling(sums, reference);
         const double share =
             detectable_share(sums.covariance_of_mean()[1][1] + reference.covariance_of_mean()[1][1],

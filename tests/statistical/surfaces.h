@@ -31,6 +31,7 @@ struct SurfaceRow {
     double index = 1.0;  ///< of what is below against what is above
     /// What it reflects and lets through of even light, all angles.
     double least_albedo = 0.0, most_albedo = 1.0;
+    double tables = kGgxEnergyError;  ///< error of tables, on top of either bound
 };
 
 /// At one wavelength, in a vacuum.
@@ -72,11 +73,8 @@ inline SurfaceRow row_of_glass(std::string name, double roughness, double n, dou
                                }};
         };
     };
-    return {std::move(name), from(n), from(1.0 / n), true, n, least, most};
+    return {std::move(name), from(n), from(1.0 / n), true, n, least, most, kDielectricEnergyError};
 }
-
-// The error of the tables is on top of each bound.
-inline constexpr double kTables = kGgxEnergyError;
 
 inline std::vector<SurfaceRow> all_surfaces() {
     const auto white = make_constant(1.0), grey = make_constant(0.5);
@@ -96,6 +94,8 @@ inline std::vector<SurfaceRow> all_surfaces() {
     varnished_metal.clearcoat = 1.0, varnished_metal.clearcoat_roughness = 0.45;
     MetallicRoughness velvet{white, 0.0, 0.9};
     velvet.sheen_colour = white, velvet.sheen_roughness = 0.6;
+    MetallicRoughness satin = velvet;
+    satin.sheen_roughness = 0.3;
     MetallicRoughness all{grey, 0.4, 0.7};
     all.clearcoat = 0.6, all.clearcoat_roughness = 0.5;
     all.sheen_colour = make_constant(0.4), all.sheen_roughness = 0.8;
@@ -113,6 +113,7 @@ inline std::vector<SurfaceRow> all_surfaces() {
         row_of("varnished paint", layered(varnished_paint), 0.9, 1.0),
         row_of("varnished metal", layered(varnished_metal), 0.9, 1.0),
         row_of("velvet", layered(velvet), 0.85, 1.0),
+        row_of("satin", layered(satin), 0.6, 1.0),
         row_of("all layers", layered(all), 0.3, 0.9),
         row_of("clear pane", pane(0.6, nullptr), 1.0, 1.0),
         row_of("clear pane, rough", pane(1.0, nullptr), 1.0, 1.0),

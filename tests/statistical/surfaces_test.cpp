@@ -68,7 +68,7 @@ MeanSums albedo(const SeenSurface& surface) {
 }
 
 bool within(const MeanSums& found, const SurfaceRow& row) {
-    const double slack = kTables + kSigmas * found.standard_error();
+    const double slack = row.tables + kSigmas * found.standard_error();
     return found.mean() > row.least_albedo - slack && found.mean() < row.most_albedo + slack;
 }
 
@@ -99,6 +99,64 @@ TEST(Surfaces, KeepEnergy) {
                 EXPECT_TRUE(within(found, row)) << row.name << " " << cosine << ": " << found.mean()
                                                 << " ± " << found.standard_error();
             }
+}
+
+// ---- planted faults ----------------------------------------------------------------------------
+
+/// `row` with the value of what `from_above` and `from_below` give changed by `change`, which knows
+/// the direction that the surface is looked at from.
+using Change = std::function<void(Vec3 wo, Vec3 wi, SeenSurface::Value& value)>;
+SurfaceRow planted(SurfaceRow row, const Change& change) {
+    const auto wrap = [&](std::function<SeenSurface(Vec3)> from) {
+        return [from, change](Vec3 wo) {
+            SeenSurface surface = from(wo);
+            surface.eval = [wo, change, eval = surface.eval](Vec3 wi) {
+                SeenSurface::Value value = eval(wi);
+                change(wo, wi, value);
+                return value;
+            };
+            return surface;
+        };
+    };
+    row.from_above = wrap(row.from_above), row.from_below = wrap(row.from_below);
+    return row;
+}
+
+/// A density 5 % too small on one half of the directions and too large on the other.
+TEST(Surfaces, WrongDensitiesAreSeen) {
+    for (const SurfaceRow& row : all_surfaces()) {
+        const SurfaceRow wrong = planted(row, [](Vec3, Vec3 wi, SeenSurface::Value& value) {
+            value.pdf *= wi.x > 0.0 ? 1.05 : 0.95;
+        });
+        EXPECT_GT(distribution(wrong.from_above(tilted(0.95))).score, kChiLimit) << row.name;
+    }
+}
+
+/// One part in a hundred thousand that depends on one of the two directions alone.
+TEST(Surfaces, OneSidedFactorsAreSeen) {
+    for (const SurfaceRow& row : all_surfaces())
+        EXPECT_GT(irreciprocity(planted(row,
+                                        [](Vec3 wo, Vec3, SeenSurface::Value& value) {
+                                            value.f_cos *= 1.0 + 1e-5 * wo.z;
+                                        })),
+                  kReciprocal)
+            << row.name;
+}
+
+/// 2 % too dark or too bright, where a surface is to be exactly white.
+TEST(Surfaces, SmallLossesAndGainsAreSeen) {
+    int white = 0;
+    for (const SurfaceRow& row : all_surfaces()) {
+        if (row.least_albedo < 1.0) continue;
+        ++white;
+        for (const double factor : {0.98, 1.02}) {
+            const SurfaceRow wrong =
+                planted(row, [&](Vec3, Vec3, SeenSurface::Value& value) { value.f_cos *= factor; });
+            EXPECT_FALSE(within(albedo(wrong.from_above(tilted(0.5))), wrong))
+                << row.name << " " << factor;
+        }
+    }
+    EXPECT_GE(white, 9);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a surface does to light. A new kind is a struct here, its lobes in render/bsdf, and a row in
-// the importers that know it.
+// What a surface does to light. A new kind is a struct here, its lobes in render/surface, and a row
+// in the importers that know it.
 
 #include <optional>
 #include <string>

@@ -74,7 +74,8 @@ void LayeredSurface::make_shares() {
     const double body = std::numbers::pi * mean_of(body_, count_);
     const double once = albedo_o_.schlick(mean_of(f0_, count_), f90_);
     const double repeatedly = mean_of(multiple_, count_) * albedo_o_.lost;
-    const double sheen = sheen_ ? mean_of(sheen_colour_, count_) * sheen_->albedo_o() : 0.0;
+    const double sheen =
+        sheen_ ? mean_of(sheen_colour_, count_) * std::min(1.0, sheen_->albedo_o()) : 0.0;
     const double varnish = clearcoat_ ? clearcoat_->once() : 0.0;
     const double above = clearcoat_ ? clearcoat_->repeatedly() : 0.0;
     const double under_varnish = std::max(0.0, 1.0 - varnish - above);
@@ -106,7 +107,7 @@ double LayeredSurface::eval(Vec3 wi, LaneValues& f) const {
     double pdf = shares_.body * pdf_cosine_hemisphere(wi.z) + shares_.specular * lobe.pdf +
                  shares_.even * kEvenHemispherePdf;
     if (sheen_) {
-        const double fibres = sheen_->eval(wi), albedo = sheen_->albedo(wi.z);
+        const double albedo = sheen_->albedo(wi.z), fibres = sheen_->eval(wi, albedo);
         for (int k = 0; k < count_; ++k)
             f[k] = f[k] * sheen_->leaves(sheen_colour_[k], albedo) + sheen_colour_[k] * fibres;
     }

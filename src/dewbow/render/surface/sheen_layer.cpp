@@ -87,7 +87,9 @@ SheenLayer::SheenLayer(Vec3 wo, double roughness)
       lambda_o_(lambda(wo.z, r_)),
       albedo_o_(albedo(wo.z)) {}
 
-double SheenLayer::eval(Vec3 wi) const { return sheen(wo_, wi, lambda_o_, r_); }
+double SheenLayer::eval(Vec3 wi, double albedo_i) const {
+    return sheen(wo_, wi, lambda_o_, r_) / std::max({1.0, albedo_o_, albedo_i});
+}
 
 double SheenLayer::albedo(double cosine) const {
     const TablePlace row = kRowAxis.place(std::sqrt(std::sqrt(r_)));
