@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -37,17 +39,24 @@ struct LightName {
     }
 };
 
-/// The glass of the catalogue that has this index, or nothing.
+/// Indices at the lines F, d and C.
+std::array<double, 3> indices_of(const Dispersion& index) {
+    return {index(kLineF).value, index(kLined).value, index(kLineC).value};
+}
+
+/// The first glass of the catalogue that has this index, or nothing.
 std::string catalogue_name(const Dispersion& index) {
-    constexpr double kSame = 1e-9;
-    for (const Glass& glass : glass_catalogue()) {
-        const DispersionPtr own = make_dispersion(glass.data);
-        bool same = true;
-        for (const Wavelength line : {kLineF, kLined, kLineC})
-            same = same && std::abs((*own)(line).value - index(line).value) < kSame;
-        if (same) return glass.name;
-    }
-    return {};
+    using Row = std::pair<std::string, std::array<double, 3>>;
+    static const std::vector<Row> rows = [] {
+        std::vector<Row> all;
+        for (const Glass& glass : glass_catalogue())
+            all.emplace_back(glass.name, indices_of(*make_dispersion(glass.data)));
+        return all;
+    }();
+    const auto own = indices_of(index);
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.second == own; });
+    return found == rows.end() ? std::string() : found->first;
 }
 
 class Reporter {

@@ -111,7 +111,7 @@ const std::vector<std::string>& scene_extensions() {
 
 ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
     ParsedScene parsed = parse(path, options.settings);
-    override_glasses(parsed.scene, options.glasses);
+    override_glasses(parsed.scene, options.glasses, parsed.diagnostics);
     if (!options.environment.empty())
         override_environment(parsed.scene, options.environment, parsed.diagnostics);
     complete({path.string(), 0, 0, {}}, options, parsed);

@@ -3,17 +3,15 @@
 
 #include <string_view>
 
-#include "dewbow/optics/catalogue.h"
+#include "dewbow/base/error.h"
+#include "dewbow/optics/dispersion.h"
 
 namespace dewbow {
 
-/// The index that scene files and options mean by `name`: a glass of the catalogue, "air" or
-/// "vacuum". Throws InputError with the nearest names.
-inline DispersionPtr named_glass(std::string_view name) {
-    // The very function that surrounds bodies by default, so that air in air bends nothing.
-    if (name == "air" || name == "fluid/air") return air();
-    if (name == "vacuum") return vacuum();
-    return make_dispersion(find_glass(name).data);
-}
+/// The index that files and options mean by `name`: a glass of the catalogue, "air" or "vacuum".
+/// Throws InputError with the nearest names.
+/// @param notes  gets what has to be said of the glass (data that end within the visible range, a
+/// crystal of which one ray is followed), once however many places name it; nullptr drops it.
+DispersionPtr named_glass(std::string_view name, const SourcePlace& place, Diagnostics* notes);
 
 }  // namespace dewbow

@@ -12,12 +12,16 @@
 namespace dewbow {
 namespace {
 
-DispersionPtr index_of(const GlassOverride& wish) {
+/// "--glass Stone=diamond"
+std::string option_of(const GlassOverride& wish) {
+    return one_line("--glass " + wish.material + "=" + wish.glass);
+}
+
+DispersionPtr index_of(const GlassOverride& wish, Diagnostics& diagnostics) {
     try {
-        return named_glass(wish.glass);
+        return named_glass(wish.glass, {option_of(wish), 0, 0, {}}, &diagnostics);
     } catch (const InputError& error) {
-        throw UsageError("--glass " + wish.material + "=" + wish.glass + ": " + error.sentence(),
-                         error.hint());
+        throw UsageError(option_of(wish) + ": " + error.sentence(), error.hint());
     }
 }
 
@@ -58,8 +62,8 @@ bool is_glass(const Material& material) {
            std::holds_alternative<ThinDielectric>(material.surface);
 }
 
-void override_glass(Scene& scene, const GlassOverride& wish) {
-    const DispersionPtr index = index_of(wish);
+void override_glass(Scene& scene, const GlassOverride& wish, Diagnostics& diagnostics) {
+    const DispersionPtr index = index_of(wish, diagnostics);
     bool found = false;
     std::vector<std::string> names;
     for (Material& material : scene.materials) {
@@ -71,8 +75,7 @@ void override_glass(Scene& scene, const GlassOverride& wish) {
     }
     if (found) return;
     throw UsageError(
-        one_line("--glass " + wish.material + "=" + wish.glass + ": there is no material \"" +
-                 wish.material + "\""),
+        option_of(wish) + one_line(": there is no material \"" + wish.material + "\""),
         names.empty() ? "the scene has no material" : one_line(hint_for(wish.material, names)));
 }
 
@@ -87,8 +90,9 @@ double environment_scale_of_white(const Film& film) {
     return film.white_luminance / (kLuminousEfficacy * cie_y_integral());
 }
 
-void override_glasses(Scene& scene, const std::vector<GlassOverride>& overrides) {
-    for (const GlassOverride& wish : overrides) override_glass(scene, wish);
+void override_glasses(Scene& scene, const std::vector<GlassOverride>& overrides,
+                      Diagnostics& diagnostics) {
+    for (const GlassOverride& wish : overrides) override_glass(scene, wish, diagnostics);
 }
 
 void override_environment(Scene& scene, const std::string& file, Diagnostics& diagnostics) {

@@ -10,7 +10,8 @@ namespace dewbow {
 /// Makes the materials of those names bodies of those glasses. What was glass before keeps its
 /// roughness, tint, absorption and priority; what was something else becomes smooth and clear, and
 /// is there as a whole. Throws UsageError with the nearest names.
-void override_glasses(Scene& scene, const std::vector<GlassOverride>& overrides);
+void override_glasses(Scene& scene, const std::vector<GlassOverride>& overrides,
+                      Diagnostics& diagnostics);
 
 /// Puts the picture `file` in the place of all environments. Its (1, 1, 1) is the film's white.
 /// Throws UsageError where it cannot be read.

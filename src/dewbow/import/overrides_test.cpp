@@ -11,6 +11,7 @@
 
 #include "dewbow/image/hdr.h"
 #include "dewbow/import/gltf/test_document.h"
+#include "dewbow/optics/catalogue.h"
 
 namespace dewbow {
 namespace {
@@ -168,6 +169,24 @@ TEST_F(OverridesTest, OtherMaterialsBecomeClearBodies) {
     EXPECT_FALSE(glass.tint);
     EXPECT_FALSE(scene.materials[1].coverage);  // half of a stone is no stone
     EXPECT_NEAR(index_at_d(scene, 1), 2.417, 2e-3);
+}
+
+TEST_F(OverridesTest, WhatHasToBeSaidOfAGlassIsSaidOnce) {
+    const auto notes = [&](const std::string& glass) {
+        write("scene.toml",
+              "[materials.a]\ntype = \"glass\"\nglass = \"" + glass +
+                  "\"\n[materials.b]\ntype = \"glass\"\nglass = \"" + glass +
+                  "\"\n[[shapes]]\ntype = \"sphere\"\nmaterial = \"a\"\nradius_m = 1\n");
+        return load_scene(folder_ / "scene.toml", {.glasses = {{"b", glass}}}).diagnostics;
+    };
+    EXPECT_TRUE(notes("N-BK7").empty());
+    const Diagnostics short_range = notes("SF11");  // its data begin at 390 nm
+    ASSERT_EQ(short_range.size(), 1u);
+    EXPECT_EQ(short_range[0].text, range_warning(find_glass("SF11")));
+    EXPECT_EQ(short_range[0].place.line, 3u);
+    const Diagnostics calcite = notes("calcite");
+    ASSERT_FALSE(calcite.empty());
+    EXPECT_EQ(calcite.back().text, birefringence_note(find_glass("calcite")));
 }
 
 TEST_F(OverridesTest, WrongGlassesAreWrongUse) {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dewbow/import/named_glass.h"
 #include "dewbow/import/nested_error.h"
 #include "dewbow/import/texture_facts.h"
-#include "dewbow/optics/catalogue.h"
 #include "dewbow/spectrum/rgb.h"
 
 namespace dewbow {
@@ -85,7 +85,7 @@ private:
         if (mtl_.glass.empty())
             return make_dispersion({"constant", {number("Ni", 1.0)}, IndexReference::air});
         try {
-            return make_dispersion(find_glass(mtl_.glass).data);
+            return named_glass(mtl_.glass, {file_, mtl_.glass_line, 0, {}}, &diagnostics_);
         } catch (const InputError& error) {
             throw InputError({file_, mtl_.glass_line, 0, {}}, sentence_with_place(error), {},
                              error.hint());

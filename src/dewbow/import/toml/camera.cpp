@@ -58,7 +58,7 @@ Length read_focus(Table& table, const Affine& world_from_camera) {
 std::optional<LensGlass> read_lens_glass(Table& table, std::optional<Length> focal_length) {
     if (!table.find("glass") && !table.find("dispersion") && !table.find("ior")) return {};
     if (!focal_length) table.fail_here("is of glass and needs focal_length_mm");
-    return LensGlass{read_index(table), *focal_length};
+    return LensGlass{read_index(table, nullptr), *focal_length};
 }
 
 ThinLens read_lens(Table& table, const Affine& world_from_camera) {

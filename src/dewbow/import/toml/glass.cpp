@@ -23,9 +23,10 @@ const std::vector<std::string>& form_names() {
     return names;
 }
 
-DispersionPtr glass_of(const TomlDocument& document, const TomlValue& value) {
+DispersionPtr glass_of(const TomlDocument& document, const TomlValue& value, Diagnostics* notes) {
     const std::string& name = read_text(document, value, "glass");
-    return at_place(document, value.place, [&] { return named_glass(name); });
+    const SourcePlace place{document.file, value.place.line, value.place.column, {}};
+    return at_place(document, value.place, [&] { return named_glass(name, place, notes); });
 }
 
 DispersionPtr formula_of(const TomlDocument& document, const TomlValue& value) {
@@ -67,19 +68,20 @@ SpectrumPtr read_absorption(Table& table) {
 
 }  // namespace
 
-DispersionPtr read_index(Table& table) {
+DispersionPtr read_index(Table& table, Diagnostics* notes) {
     table.at_most_one_of({"glass", "dispersion", "ior"});
-    if (const TomlValue* value = table.find("glass")) return glass_of(table.document(), *value);
+    if (const TomlValue* value = table.find("glass"))
+        return glass_of(table.document(), *value, notes);
     if (const TomlValue* value = table.find("dispersion"))
         return formula_of(table.document(), *value);
     if (const TomlValue* value = table.find("ior")) return number_of(table, *value);
     table.fail_here("needs one of glass, dispersion, ior");
 }
 
-MediumPtr read_medium(Table& table, const std::string& name, int priority) {
+MediumPtr read_medium(Table& table, const std::string& name, int priority, Diagnostics* notes) {
     auto medium = std::make_shared<Medium>();
     medium->name = name;
-    medium->index = read_index(table);
+    medium->index = read_index(table, notes);
     medium->absorption = read_absorption(table);
     medium->priority = priority;
     return medium;

@@ -10,9 +10,10 @@
 namespace dewbow::toml_import {
 
 /// Reads `glass` | `dispersion` | `ior` and `abbe`. Exactly one of the three must be there.
-DispersionPtr read_index(Table& table);
+/// @param notes  gets what has to be said of a glass (named_glass.h), unless nullptr.
+DispersionPtr read_index(Table& table, Diagnostics* notes);
 
 /// read_index, and `absorption_per_m` or `absorption_colour` with `absorption_depth_*`.
-MediumPtr read_medium(Table& table, const std::string& name, int priority);
+MediumPtr read_medium(Table& table, const std::string& name, int priority, Diagnostics* notes);
 
 }  // namespace dewbow::toml_import

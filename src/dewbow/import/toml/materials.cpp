@@ -20,6 +20,7 @@ struct MaterialContext {
     const std::string& name;
     const MaterialNames& names;
     TextureFolder& pictures;
+    Diagnostics& diagnostics;
 };
 
 /// The colour of `key`; nothing if it is not there.
@@ -51,7 +52,7 @@ Surface read_mirror(Table& table, const MaterialContext& context) {
 Surface read_glass(Table& table, const MaterialContext& context) {
     Dielectric glass;
     const auto priority = table.integer("priority", -kMaxPriority, kMaxPriority, 0);
-    glass.interior = read_medium(table, context.name, int(priority));
+    glass.interior = read_medium(table, context.name, int(priority), &context.diagnostics);
     glass.roughness = share(table, "roughness", 0.0, context);
     glass.tint = find_colour(table, "tint", context);
     return glass;
@@ -59,7 +60,7 @@ Surface read_glass(Table& table, const MaterialContext& context) {
 
 Surface read_thin_glass(Table& table, const MaterialContext& context) {
     ThinDielectric glass;
-    glass.index = read_index(table);
+    glass.index = read_index(table, &context.diagnostics);
     glass.tint = find_colour(table, "tint", context);
     glass.roughness = share(table, "roughness", 0.0, context);
     return glass;
@@ -148,11 +149,12 @@ std::optional<Coverage> read_coverage(Table& table, TextureFolder& pictures) {
 }
 
 Material read_material(const TomlDocument& document, const TomlEntry& entry,
-                       const MaterialNames& names, TextureFolder& pictures) {
+                       const MaterialNames& names, TextureFolder& pictures,
+                       Diagnostics& diagnostics) {
     Table table(document, entry.value, fmt::format("[materials.{}]", entry.key));
     Material material;
     material.name = entry.key;
-    material.surface = read_type(table).read(table, {entry.key, names, pictures});
+    material.surface = read_type(table).read(table, {entry.key, names, pictures, diagnostics});
     if (const TomlValue* emission = table.find("emission"))
         read_emission(document, *emission, pictures, material);
     material.two_sided_emission = table.boolean("two_sided_emission", false);
@@ -223,7 +225,8 @@ int MaterialNames::read(const TomlDocument& document, const TomlValue& value,
 }
 
 MaterialNames read_materials(const TomlDocument& document, const TomlValue* materials,
-                             const std::filesystem::path& folder, Scene& scene) {
+                             const std::filesystem::path& folder, Scene& scene,
+                             Diagnostics& diagnostics) {
     MaterialNames names;
     if (!materials) return names;
     const Table check(document, *materials, "[materials]");
@@ -233,7 +236,7 @@ MaterialNames read_materials(const TomlDocument& document, const TomlValue* mate
     for (std::size_t i = 0; i < entries.size(); ++i) names.add(entries[i].key, int(first + i));
     TextureFolder pictures(folder);
     for (const TomlEntry& entry : entries)
-        scene.add(read_material(document, entry, names, pictures));
+        scene.add(read_material(document, entry, names, pictures, diagnostics));
     MixCheck(document, entries, scene, first).run();
     return names;
 }

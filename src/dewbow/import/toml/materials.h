@@ -41,6 +41,7 @@ private:
 /// Adds the materials of the table `materials` to `scene`. Pictures lie in `folder`. nullptr adds
 /// none.
 MaterialNames read_materials(const TomlDocument& document, const TomlValue* materials,
-                             const std::filesystem::path& folder, Scene& scene);
+                             const std::filesystem::path& folder, Scene& scene,
+                             Diagnostics& diagnostics);
 
 }  // namespace dewbow::toml_import

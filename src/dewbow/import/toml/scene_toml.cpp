@@ -76,10 +76,12 @@ void read_cameras(const TomlDocument& document, const TomlValue* chosen, const T
         for (const CameraView& camera : import.cameras) offer_camera(parsed.scene, camera);
 }
 
-void read_surroundings(const TomlDocument& document, const TomlValue* value, Scene& scene) {
+void read_surroundings(const TomlDocument& document, const TomlValue* value, Scene& scene,
+                       Diagnostics& diagnostics) {
     if (!value) return;
     Table table(document, *value, "[surroundings]");
-    scene.surroundings = read_medium(table, "surroundings", scene.surroundings->priority);
+    scene.surroundings =
+        read_medium(table, "surroundings", scene.surroundings->priority, &diagnostics);
     table.finish();
 }
 
@@ -115,8 +117,9 @@ ParsedScene read_document(const TomlDocument& document, const std::filesystem::p
     const TomlValue* film = root.find("film");
     read_film(document, film, scene.film);
     read_render(document, root.find("render"), scene.render);
-    read_surroundings(document, root.find("surroundings"), scene);
-    const MaterialNames names = read_materials(document, root.find("materials"), folder, scene);
+    read_surroundings(document, root.find("surroundings"), scene, parsed.diagnostics);
+    const MaterialNames names =
+        read_materials(document, root.find("materials"), folder, scene, parsed.diagnostics);
     Groups groups;
     read_shapes(document, root.find("shapes"), names, folder, scene, groups, parsed.diagnostics);
     read_lights(document, root.find("lights"), folder, scene, parsed.diagnostics);
