@@ -6,13 +6,14 @@
 //
 // Seen red by hand, each with one line of render/path changed: after a collapse the throughput
 // of the chosen lane for the sum of all (`lane.beta[0] = path.beta[chosen]`): T² 330 in
-// DiamondOnPaper, 6.4e4 in WallSeenThroughAPane, and red in eight of the eleven scenes; the
+// DiamondOnPaper, 6.4e4 in WallSeenThroughAPane, and red in eight of eleven scenes; the
 // refracted lanes' 1 − r left out at the split: all scenes with smooth glass.
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 
+#include "dewbow/optics/metal.h"
 #include "dewbow/spectrum/illuminant.h"
 #include "dewbow/spectrum/rgb.h"
 #include "estimate.h"
@@ -176,6 +177,23 @@ Case pane_too_thin_to_bend() {
     return {scene, kThroughPane};
 }
 
+/// Rough surfaces whose lanes differ: gold, a tinted rough pane, varnish over sheen.
+Case gold_varnish_and_a_rough_pane() {
+    Scene scene = wall_behind_pane();
+    const Metal& metal = find_metal("gold");
+    MetallicRoughness velvet{make_reflectance({{0.6, 0.2, 0.2}}), 0.3, 0.6};
+    velvet.clearcoat = 0.7, velvet.clearcoat_roughness = 0.4;
+    velvet.sheen_colour = make_reflectance({{0.2, 0.4, 0.9}}), velvet.sheen_roughness = 0.6;
+    add(scene, Sphere{0.35 * m}, {"gold", Conductor{metal.n, metal.k, 0.5}},
+        translation({-0.4, 0, -0.4}));
+    add(scene, Sphere{0.35 * m}, {"velvet", velvet}, translation({0.4, 0, -0.4}));
+    add(scene, Rectangle{2.0 * m, 2.0 * m},
+        {"pane", ThinDielectric{make_dispersion(find_glass("gem/diamond").data),
+                                make_reflectance({{0.5, 0.9, 0.8}}), 0.4}},
+        translation({0, 0, 0.6}));
+    return {scene, kThroughPane, 2.0};
+}
+
 Case rough_tinted_absorbing_glass() {
     Scene scene = wall_behind_pane();
     add(scene, Sphere{0.3 * m},
@@ -240,6 +258,7 @@ const NamedCase kCases[] = {
     {"MixOfMirrorPaintAndGlass", &mix_of_mirror_paint_and_glass},
     {"MetalAndPlasticUnderManyLights", &metal_and_plastic_under_many_lights},
     {"PaneTooThinToBend", &pane_too_thin_to_bend},
+    {"GoldVarnishAndARoughPane", &gold_varnish_and_a_rough_pane},
     {"RoughTintedAbsorbingGlass", &rough_tinted_absorbing_glass},
     {"MirrorMaze", &mirror_maze},
     {"NestedBodies", &nested_bodies},
