@@ -56,9 +56,9 @@ double irreciprocity(const SurfaceRow& row) {
     return worst;
 }
 
-MeanSums albedo(const SeenSurface& surface) {
+MeanSums albedo(const SeenSurface& surface, int directions = kDirections) {
     MeanSums sums;
-    for (std::size_t i = 0; i < std::size_t(kDirections); ++i) {
+    for (std::size_t i = 0; i < std::size_t(directions); ++i) {
         const SampleKey key = independent_key(32, i);
         const auto d = surface.sample(test_numbers(key, 0)[0], test_numbers(key, 1));
         const SeenSurface::Value value = d ? surface.eval(*d) : SeenSurface::Value{};
@@ -99,6 +99,30 @@ TEST(Surfaces, KeepEnergy) {
                 EXPECT_TRUE(within(found, row)) << row.name << " " << cosine << ": " << found.mean()
                                                 << " ± " << found.standard_error();
             }
+}
+
+/// Roughness 0, as a texture may hold it, is the least there is; and grazing is no special case.
+TEST(Surfaces, NearlySmoothOnesKeepEnergyToo) {
+    const auto white = make_constant(1.0);
+    for (const double roughness : {0.0, 0.02, 0.15}) {
+        MetallicRoughness varnished{white, 1.0, 0.0};
+        varnished.clearcoat = 1.0, varnished.clearcoat_roughness = roughness;
+        const SurfaceRow rows[] = {
+            row_of("metal", {"", MetallicRoughness{white, 1.0, roughness}}, 1.0, 1.0),
+            row_of("plastic", {"", MetallicRoughness{white, 0.0, roughness}}, 1.0, 1.0),
+            row_of("varnished metal", {"", varnished}, 0.9, 1.0),
+            row_of("pane",
+                   {"", ThinDielectric{make_dispersion({"constant", {1.5}}), nullptr, roughness}},
+                   1.0, 1.0),
+            row_of_glass("glass", roughness, 1.5, 1.0, 1.0),
+            row_of_glass("out of glass", roughness, 1.0 / 1.5, 1.0, 1.0)};
+        for (const SurfaceRow& row : rows)
+            for (const double cosine : {0.9, 0.2, 1e-3, 1e-12}) {
+                const MeanSums found = albedo(row.from_above(tilted(cosine)), kDirections / 10);
+                EXPECT_TRUE(within(found, row))
+                    << row.name << " " << roughness << " " << cosine << ": " << found.mean();
+            }
+    }
 }
 
 // ---- planted faults ----------------------------------------------------------------------------
