@@ -121,6 +121,7 @@ private:
     static void describe_index(const DispersionPtr& index, MaterialFacts& facts) {
         facts.glass = catalogue_name(*index);
         facts.n_d = (*index)(kLined).value / (*air())(kLined).value;
+        if (index->is_constant()) return;  // against air it would have a little
         const double abbe = abbe_number(*index, *air());
         if (std::isfinite(abbe)) facts.v_d = abbe;
     }
