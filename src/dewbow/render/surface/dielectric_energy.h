@@ -13,6 +13,8 @@
 // With T(n) = 1 − F_avg(n), what a smooth boundary transmits of even light, T(n) = n² T(1/n), so
 // that 1 − q(n) = T(n) min(1, L_avg(1/n) / L_avg(n)) is such a q, and is that of a smooth boundary
 // as far as reciprocity allows.          [after Kulla & Conty 2017, who choose q in another way]
+// Against walks among the microfacets q is within 0.02 at alpha = 0.25 and within 0.17 at alpha = 1
+// (tests/statistical/microfacet_walk_test.cpp).
 //
 // Like all models of one boundary with Smith's shadowing, this one does not become invisible as n
 // comes near 1: what is shadowed is scattered and not let through straight.
