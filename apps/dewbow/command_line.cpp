@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kMaxThreads = 1024;
 constexpr double kSmallestNoise = 1e-6;
+constexpr double kFewestFps = 1e-3, kMostFrames = 1e9;
 constexpr double kMostExposureStops = 64.0;
 /// Beyond this glass catalogues say nothing.
 constexpr double kShortest_nm = 200.0, kLongest_nm = 3000.0;
@@ -93,7 +94,7 @@ const std::vector<std::string> kPacketNames{"1", "4", "8", "16"};
 
 /// Every option's text as it was given; an option that was not is absent.
 struct SceneTexts {
-    std::optional<std::string> scene, camera, environment;
+    std::optional<std::string> scene, camera, environment, frame, fps;
     std::vector<std::string> glasses, settings;
 };
 
@@ -170,6 +171,9 @@ private:
         };
         text_option(app, "--camera", t.camera, "The camera of the scene that takes the picture",
                     "NAME");
+        text_option(app, "--frame", t.frame,
+                    "The frame of a glTF file's animations; else it is at rest", "N");
+        text_option(app, "--fps", t.fps, "Frames a second, for --frame (default 24)", "F");
         repeatable("--glass", t.glasses, "Make a material a body of that glass; repeatable",
                    "MATERIAL=GLASS");
         text_option(app, "--env", t.environment,
@@ -317,6 +321,9 @@ private:
         load.camera = t.camera.value_or("");
         load.environment = t.environment.value_or("");
         load.settings = t.settings;
+        if (t.fps && !t.frame) throw UsageError("--fps counts for --frame N", help_hint());
+        if (t.frame) load.frame = parse_real("--frame", *t.frame, 0.0, kMostFrames);
+        if (t.fps) load.frames_per_second = parse_real("--fps", *t.fps, kFewestFps, kMostFrames);
         for (const std::string& text : t.glasses)
             load.glasses.push_back(parse_glass_override("--glass", text));
         return load;

@@ -40,6 +40,8 @@ std::vector<std::filesystem::path> output_paths(const RenderCommand& command) {
 std::string load_options_text(const LoadOptions& load) {
     std::string text;
     if (!load.camera.empty()) text += " --camera " + shell_quoted(load.camera);
+    if (load.frame)
+        text += fmt::format(" --frame {} --fps {}", *load.frame, load.frames_per_second);
     for (const GlassOverride& glass : load.glasses)
         text += " --glass " + shell_quoted(glass.material + "=" + glass.glass);
     if (!load.environment.empty()) text += " --env " + shell_quoted(load.environment);

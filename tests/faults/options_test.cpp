@@ -102,6 +102,8 @@ const std::vector<Option> kRenderOptions{
      {"--pixel", "0,0"},
      {"-1", "0.5", "16777216", "9223372036854775808"},
      "0 to 16777215"},
+    {"--frame", {}, {"-1", "1e10", "one", "0x1"}, "0 to 1000000000"},
+    {"--fps", {"--frame", "1"}, {"-24", "0", "1e10", "24fps"}, "0.001 to 1000000000"},
     {"--gamut", {}, {"0", "-1", "Clip", "towards_white"}, "--gamut is"},
     {"--wavelengths", {}, {"0", "Visual", "visible", "550"}, "--wavelengths is"},
     {"--estimator", {}, {"0", "PATH", "path "}, "--estimator is"},

@@ -15,18 +15,26 @@
 namespace dewbow {
 namespace {
 
+using Path = std::filesystem::path;
+
 struct SceneFormat {
     std::string extension;
-    ParsedScene (*load)(const std::filesystem::path&);
+    ParsedScene (*load)(const Path&, const LoadOptions&);
 };
 
-ParsedScene load_plain_toml(const std::filesystem::path& path) { return load_toml(path); }
-ParsedScene load_gltf_scene(const std::filesystem::path& path) { return load_gltf(path); }
+ParsedScene load_scene_file(const Path& path, const LoadOptions& options) {
+    return load_toml(path, options.settings);
+}
+ParsedScene load_gltf_file(const Path& path, const LoadOptions& options) {
+    if (!options.frame) return load_gltf(path);
+    return load_gltf(path, *options.frame / options.frames_per_second);
+}
+ParsedScene load_mesh_file(const Path& path, const LoadOptions&) { return load_mesh_scene(path); }
 
 const std::vector<SceneFormat>& scene_formats() {
     static const std::vector<SceneFormat> formats = {
-        {".toml", load_plain_toml}, {".gltf", load_gltf_scene}, {".glb", load_gltf_scene},
-        {".obj", load_mesh_scene},  {".ply", load_mesh_scene},  {".stl", load_mesh_scene},
+        {".toml", load_scene_file}, {".gltf", load_gltf_file}, {".glb", load_gltf_file},
+        {".obj", load_mesh_file},   {".ply", load_mesh_file},  {".stl", load_mesh_file},
     };
     return formats;
 }
@@ -45,11 +53,15 @@ const SceneFormat& format_of(const std::filesystem::path& path) {
                      {}, "expected one of .toml, .gltf, .glb, .obj, .ply, .stl");
 }
 
-ParsedScene parse(const std::filesystem::path& path, const std::vector<std::string>& settings) {
+ParsedScene parse(const Path& path, const LoadOptions& options) {
     const SceneFormat& format = format_of(path);
-    if (settings.empty()) return format.load(path);
-    if (format.extension == ".toml") return load_toml(path, settings);
-    return with_settings(path, format.load(path), settings);
+    if (options.frame && format.load != load_gltf_file) {
+        throw UsageError("--frame shows the animations of a .gltf or .glb file",
+                         "this is " + path.string());
+    }
+    ParsedScene parsed = format.load(path, options);
+    if (options.settings.empty() || format.extension == ".toml") return parsed;
+    return with_settings(path, std::move(parsed), options.settings);
 }
 
 /// The studio as bright as suits the film's white.
@@ -110,7 +122,7 @@ const std::vector<std::string>& scene_extensions() {
 }
 
 ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
-    ParsedScene parsed = parse(path, options.settings);
+    ParsedScene parsed = parse(path, options);
     override_glasses(parsed.scene, options.glasses, parsed.diagnostics);
     if (!options.environment.empty())
         override_environment(parsed.scene, options.environment, parsed.diagnostics);

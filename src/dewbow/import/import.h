@@ -4,6 +4,7 @@
 // From files to a scene.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "dewbow/base/error.h"
@@ -20,6 +21,9 @@ struct GlassOverride {
 struct LoadOptions {
     /// Name of the camera that takes the picture; empty: the file's own choice, or else its first.
     std::string camera{};
+    /// The frame of a glTF file's animations that is shown; none: at rest.
+    std::optional<double> frame{};
+    double frames_per_second = 24.0;
     /// "film.width=400": values of the scene file, in its words (docs/scene-format.md). A file of
     /// another format is taken as if a scene file imported it.
     std::vector<std::string> settings{};

@@ -85,6 +85,13 @@ TEST_F(ImportTest, GlowingThingsAreLightEnough) {
     EXPECT_NE(studio_of(load_scene(path).scene), nullptr);
 }
 
+TEST_F(ImportTest, OnlyGltfHasAnimations) {
+    LoadOptions options;
+    options.frame = 1.0;
+    EXPECT_NO_THROW(load_scene(write("a.gltf", gltf_test::text_of({})), options));
+    EXPECT_THROW(load_scene(write("a.toml", ""), options), UsageError);
+}
+
 TEST_F(ImportTest, OtherFormatsAreNamed) {
     EXPECT_NE(
         error_of(write("a.fbx", "solid")).find("expected one of .toml, .gltf, .glb, .obj, .ply"),

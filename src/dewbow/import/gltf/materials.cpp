@@ -191,6 +191,7 @@ int Materials::read(const std::optional<Json>& reference, bool vertex_colours) {
     const auto found = known_.find({index, vertex_colours});
     if (found != known_.end()) return found->second;
     const MaterialProperties properties = read_properties(document_, textures_, material);
+    note_glass(properties);
     if (properties.unlit && vertex_colours) {
         document_.notes().add(material.place(),
                               "the vertex colours of {} are not used: it is unlit",
@@ -199,6 +200,17 @@ int Materials::read(const std::optional<Json>& reference, bool vertex_colours) {
     const int result = MaterialBuilder(scene_, material, properties, vertex_colours).build();
     known_.emplace(std::pair{index, vertex_colours}, result);
     return result;
+}
+
+void Materials::note_glass(const MaterialProperties& properties) {
+    if (!properties.glass || properties.transmission == 0.0) return;
+    try {
+        const Glass& glass = find_glass(properties.glass->text());
+        for (const auto& note : {range_warning(glass), birefringence_note(glass)})
+            if (note) document_.notes().add(properties.glass->place(), *note, {});
+    } catch (const InputError& error) {
+        properties.glass->fail(error.sentence(), error.hint());
+    }
 }
 
 }  // namespace dewbow::gltf

@@ -10,7 +10,7 @@
 
 #include <map>
 
-#include "dewbow/import/gltf/textures.h"
+#include "dewbow/import/gltf/material_properties.h"
 #include "dewbow/scene/scene.h"
 
 namespace dewbow::gltf {
@@ -26,6 +26,9 @@ public:
     int read(const std::optional<Json>& reference, bool vertex_colours);
 
 private:
+    /// What has to be said about the glass that is named; InputError if there is none.
+    void note_glass(const MaterialProperties& properties);
+
     Document& document_;
     Scene& scene_;
     Textures textures_;

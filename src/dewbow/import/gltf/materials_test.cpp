@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dewbow/import/gltf/test_document.h"
+#include "dewbow/optics/catalogue.h"
 #include "dewbow/spectrum/cie.h"
 
 namespace dewbow {
@@ -188,6 +189,20 @@ TEST(GltfMaterials, BlendersCustomPropertyNamesAGlass) {
     EXPECT_NEAR(index_at(surface_of<Dielectric>(parsed).interior->index, 587.5618) /
                     index_at(air(), 587.5618),
                 1.78472, 1e-4);
+}
+
+TEST(GltfMaterials, WhatHasToBeSaidOfAGlassIsSaidOnce) {
+    Parts parts;
+    const std::string quartz = R"({"extras": {"glass": "gem/quartz"}, )" +
+                               glass(R"("KHR_materials_volume": {"thicknessFactor": 1})") + "}";
+    parts.materials = "[" + quartz + ", " + quartz + "]";
+    parts.primitive =
+        R"({"attributes": {"POSITION": 0}, "material": 0}, {"attributes": {"POSITION": 0}, "material": 1})";
+    const Diagnostics diagnostics = parse(parts).diagnostics;
+    std::size_t found = 0;
+    for (const Diagnostic& diagnostic : diagnostics)
+        found += diagnostic.text == *birefringence_note(find_glass("gem/quartz"));
+    EXPECT_EQ(found, 1u);
 }
 
 TEST(GltfMaterials, AGlassThatLetsNoLightThroughIsNoted) {
