@@ -16,9 +16,9 @@ constexpr double kTarget = 0.7, kShareBelow = 0.9;
 /// Steps of the exposure: noise does not change it from one render to the next.
 constexpr double kStep_stops = 0.25;
 constexpr double kMostStops = 60.0;
-/// Within this many stops of the automatic exposure, 0 is good enough: pictures of scenes that are
-/// lit as their format means it stay comparable.
-constexpr double kFar_stops = 2.0;
+/// A picture is left at exposure 0 if that is at most this much too bright or too dark: scenes that
+/// are lit as their format means it stay comparable, and what is dark on purpose stays dark.
+constexpr double kTooBright_stops = 2.0, kTooDark_stops = 6.0;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ double automatic_exposure(const FilmSums& film, const Film& settings) {
 double exposure_of(const FilmSums& film, const Film& settings) {
     if (settings.exposure == ExposureMode::fixed) return settings.exposure_stops;
     const double stops = automatic_exposure(film, settings);
-    const bool near = std::abs(stops) <= kFar_stops;
+    const bool near = stops >= -kTooBright_stops && stops <= kTooDark_stops;
     return settings.exposure == ExposureMode::automatic_if_far && near ? 0.0 : stops;
 }
 

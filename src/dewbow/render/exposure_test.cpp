@@ -63,6 +63,9 @@ TEST(Exposure, IsTheStatedOneUnlessTheSceneLeavesItOpen) {
     settings.exposure = ExposureMode::automatic_if_far;
     EXPECT_EQ(exposure_of(nearly_right, settings), 0.0);
     EXPECT_EQ(exposure_of(bright, settings), automatic_exposure(bright, settings));
+    const FilmSums night = picture(0.03, 0), black_room = picture(1e-4, 0);
+    EXPECT_EQ(exposure_of(night, settings), 0.0);
+    EXPECT_EQ(exposure_of(black_room, settings), automatic_exposure(black_room, settings));
 }
 
 }  // namespace
