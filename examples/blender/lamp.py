@@ -65,7 +65,8 @@ bpy.context.scene.frame_end = 24
 bpy.context.scene.frame_set(0)
 
 plane("Desk", (2.0, 1.4), paint("Desk", (0.30, 0.17, 0.09), 0.35))
+plane("Window", (0.8, 1.0), glow("Window", (0.75, 0.87, 1.0), 2.0), (-1.4, -0.9, 0.7), (90, 0, -60))
 plane("Wall", (3.0, 2.0), paint("Wall", (0.62, 0.60, 0.55), 0.9), (0, 0.45, 0.9), (90, 0, 0))
 
-camera((0.16, -0.95, 0.32), (0.05, 0.0, 0.17), 50)
+camera((0.16, -1.02, 0.34), (0.055, 0.0, 0.185), 50)
 export(output_path("lamp.glb"))

@@ -70,5 +70,5 @@ for k in range(14):
                                          location=(reach * math.cos(azimuth), reach * math.sin(azimuth), height))
     bpy.context.object.data.materials.append(lamp)
 
-camera((26 * MM, -62 * MM, 44 * MM), (0, 0, 15.5 * MM), 60)
+camera((26 * MM, -66 * MM, 40 * MM), (0, 0, 12.5 * MM), 55)
 export(output_path("ring.glb"))
