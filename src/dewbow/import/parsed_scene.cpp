@@ -53,6 +53,16 @@ double luminance_of(const Material& material) {
     return kLuminousEfficacy * cie_y_integral() * xyz_from_rgb(factor)[1];
 }
 
+/// Whether a light without extent can be seen by what the surface does to it.
+bool is_rough(const Material& material) {
+    if (const auto* s = std::get_if<Dielectric>(&material.surface)) return s->roughness.value > 0.0;
+    if (const auto* s = std::get_if<ThinDielectric>(&material.surface))
+        return s->roughness.value > 0.0;
+    if (const auto* s = std::get_if<Conductor>(&material.surface)) return s->roughness.value > 0.0;
+    return std::holds_alternative<Diffuse>(material.surface) ||
+           std::holds_alternative<MetallicRoughness>(material.surface);
+}
+
 }  // namespace
 
 void offer_camera(Scene& scene, CameraView camera) {
@@ -73,11 +83,7 @@ bool brings_light(const Scene& scene, double least_luminance) {
         if (!used[i]) continue;
         const Material& material = scene.materials[i];
         if (material.gives_light() && luminance_of(material) > least_luminance) return true;
-        something_rough |= std::holds_alternative<Diffuse>(material.surface) ||
-                           std::holds_alternative<Conductor>(material.surface) ||
-                           std::holds_alternative<MetallicRoughness>(material.surface);
-        if (const auto* glass = std::get_if<Dielectric>(&material.surface))
-            something_rough |= glass->roughness.value > 0.0;
+        something_rough |= is_rough(material);
     }
     // Smooth glass and mirrors alone show nothing of a light that has no extent.
     return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
