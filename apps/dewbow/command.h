@@ -15,6 +15,7 @@
 #include "dewbow/render/film.h"
 #include "dewbow/spectrum/display.h"
 #include "dewbow/spectrum/wavelengths.h"
+#include "glass_command.h"
 
 namespace dewbow {
 
@@ -61,23 +62,12 @@ struct SceneCheckCommand {
     bool json = false;
 };
 
-struct GlassListCommand {
-    bool json = false;
-};
-
-struct GlassShowCommand {
-    std::string name;
-    std::vector<double> at_nm;
-    bool json = false;
-};
-
 /// Help or version: to be printed, and that is all.
 struct ShowText {
     std::string text;
 };
 
-using Command =
-    std::variant<ShowText, RenderCommand, SceneCheckCommand, GlassListCommand, GlassShowCommand>;
+using Command = std::variant<ShowText, RenderCommand, SceneCheckCommand, GlassCommand>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);
@@ -85,8 +75,6 @@ Command parse_command_line(int argc, const char* const* argv);
 // Each subcommand returns the program's exit code.
 int run_render(const RenderCommand& command);
 int run_scene_check(const SceneCheckCommand& command);
-int run_glass_list(const GlassListCommand& command);
-int run_glass_show(const GlassShowCommand& command);
 
 // Exit codes; interrupted programs return 128 + the signal's number.
 inline constexpr int kDone = 0;

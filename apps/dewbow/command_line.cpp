@@ -8,6 +8,7 @@
 #include "dewbow/import/import.h"
 #include "dewbow/render/estimator.h"
 #include "dewbow/render/output.h"
+#include "glass_command_line.h"
 #include "option_value.h"
 
 // All values arrive here as text: what a number must be is said by option_value.h in our words, and
@@ -21,9 +22,6 @@ constexpr int kMaxThreads = 1024;
 constexpr double kSmallestNoise = 1e-6;
 constexpr double kFewestFps = 1e-3, kMostFrames = 1e9;
 constexpr double kMostExposureStops = 64.0;
-/// Beyond this glass catalogues say nothing.
-constexpr double kShortest_nm = 200.0, kLongest_nm = 3000.0;
-
 constexpr std::string_view kExamples = R"(Examples:
   dewbow render examples/disc.toml                    write disc.exr and disc.png
   dewbow render ring.glb -o ring.png --time 2m        as good as two minutes make it
@@ -47,11 +45,6 @@ constexpr std::string_view kSceneExamples = R"(Examples:
   dewbow scene check ring.glb --glass Diamond=gem/diamond --json
 
 Exit codes: 0 the scene can be rendered, 1 it cannot, 2 used wrongly.)";
-
-constexpr std::string_view kGlassExamples = R"(Examples:
-  dewbow glass list
-  dewbow glass show N-BK7
-  dewbow glass show diamond --at 400 --at 700 --json)";
 
 /// "a|b|c"
 std::string alternatives(const std::vector<std::string>& words) {
@@ -117,7 +110,7 @@ public:
         app_.require_subcommand(0, 1);  // a file may be named like another subcommand
         add_render();
         add_scene();
-        add_glass();
+        glass_.emplace(app_);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -142,8 +135,7 @@ public:
         refuse_extras();
         if (render_->parsed()) return render_command();
         if (scene_check_->parsed()) return scene_check_command();
-        if (glass_list_->parsed()) return glass_list_command_;
-        if (glass_show_->parsed()) return glass_show_command();
+        if (const auto command = glass_->command()) return *command;
         throw UsageError("a subcommand is missing", help_hint());
     }
 
@@ -240,24 +232,6 @@ private:
         add_flag(*render_, "--json", t.json, "Print one JSON object on standard output at the end");
         add("--progress", t.progress, "How progress is shown on standard error",
             alternatives(kProgressNames));
-    }
-
-    void add_glass() {
-        glass_ = app_.add_subcommand("glass", "Glasses, gems and fluids: list them, show one");
-        glass_->allow_extras();
-        glass_->footer(std::string(kGlassExamples));
-        glass_list_ = glass_->add_subcommand("list", "List all names");
-        glass_list_->allow_extras();
-        add_flag(*glass_list_, "--json", glass_list_command_.json, "Print JSON");
-        glass_show_ = glass_->add_subcommand("show", "Show the index of one");
-        glass_show_->allow_extras();
-        glass_show_->footer(std::string(kGlassExamples));
-        text_option(*glass_show_, "name", glass_name_,
-                    "Name; the maker may be left out where the rest is unique", "NAME");
-        glass_show_->add_option("--at", glass_at_, "Show the index at this wavelength; repeatable")
-            ->type_name("NM")
-            ->allow_extra_args(false);
-        add_flag(*glass_show_, "--json", glass_show_json_, "Print JSON");
     }
 
     static const CLI::App& deepest(const CLI::App& app) {
@@ -415,25 +389,12 @@ private:
             Replay{place.x, place.y, parse_integer("--sample", *t.sample, 0, kMostSamples - 1)};
     }
 
-    GlassShowCommand glass_show_command() const {
-        if (!glass_name_ || glass_name_->empty())
-            throw UsageError("the name is missing", "`dewbow glass list` shows all");
-        GlassShowCommand command{*glass_name_, {}, glass_show_json_};
-        for (const std::string& text : glass_at_)
-            command.at_nm.push_back(parse_real("--at", text, kShortest_nm, kLongest_nm));
-        return command;
-    }
-
     CLI::App app_;
-    CLI::App *render_ = nullptr, *scene_ = nullptr, *scene_check_ = nullptr, *glass_ = nullptr,
-             *glass_list_ = nullptr, *glass_show_ = nullptr;
+    CLI::App *render_ = nullptr, *scene_ = nullptr, *scene_check_ = nullptr;
+    std::optional<GlassCommandLine> glass_;
     RenderTexts render_texts_;
     SceneTexts scene_check_texts_;
     bool scene_check_json_ = false;
-    GlassListCommand glass_list_command_;
-    std::optional<std::string> glass_name_;
-    std::vector<std::string> glass_at_;
-    bool glass_show_json_ = false;
 };
 
 }  // namespace

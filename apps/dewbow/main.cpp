@@ -15,8 +15,9 @@ struct Run {
     int operator()(const ShowText& show) const { return print_data(show.text), kDone; }
     int operator()(const RenderCommand& command) const { return run_render(command); }
     int operator()(const SceneCheckCommand& command) const { return run_scene_check(command); }
-    int operator()(const GlassListCommand& command) const { return run_glass_list(command); }
-    int operator()(const GlassShowCommand& command) const { return run_glass_show(command); }
+    int operator()(const GlassCommand& command) const {
+        return std::visit([](const auto& subcommand) { return run(subcommand); }, command);
+    }
 };
 
 /// Never throws.

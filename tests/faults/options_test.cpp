@@ -111,7 +111,8 @@ const std::vector<Option> kRenderOptions{
     {"--output", {}, {"0", "png", "a.PNGG", "a.exr/", "/", ".", ".."}, "ends in .exr or .png"},
 };
 const std::vector<Option> kGlassOptions{
-    {"--at", {}, {"-1", "0", "199.9", "3001", "550nm", "5e-324"}, "200 to 3000"},
+    {"--at", {}, {"-1", "0", "199.9", "3001", "550 nm", "5e-324", "0.1um", "x"}, "200 to 3000"},
+    {"--plot", {}, {"0", "svg", "a.svgz", "a.png", "/", "."}, "ends in .svg"},
 };
 
 /// Names of the options that take a value: in lines such as "  -o,--output FILE   A picture".

@@ -14,4 +14,9 @@ namespace dewbow {
 /// crystal of which one ray is followed), once however many places name it; nullptr drops it.
 DispersionPtr named_glass(std::string_view name, const SourcePlace& place, Diagnostics* notes);
 
+/// The same of a glass file ("maker.agf#N-BK7", "page.yml") that lies in the folder of `place`'s
+/// file, with what is wrong with that glass in it.
+DispersionPtr glass_of_file(std::string_view reference, const SourcePlace& place,
+                            Diagnostics* notes);
+
 }  // namespace dewbow

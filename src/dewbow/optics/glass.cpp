@@ -9,6 +9,7 @@ namespace dewbow {
 
 std::optional<std::string> range_warning(const Glass& glass) {
     const double from = glass.lambda_min_nm, to = glass.lambda_max_nm;
+    if (to == 0.0) return glass.name + ": it does not say of which wavelengths its data are";
     const auto span = [](double a, double b) { return fmt::format("{:.4g} to {:.4g} nm", a, b); };
     std::string missing;
     if (from > kLambdaMin_nm) missing = span(kLambdaMin_nm, std::min(from, kLambdaMax_nm));

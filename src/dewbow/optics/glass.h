@@ -26,7 +26,7 @@ struct Glass {
     double n_d = 0.0;       ///< as published, against `data.reference`; 0 = not published
     double v_d = 0.0;       ///< as published; 0 = not published
     double accuracy = 0.0;  ///< of the index within the range, as far as is known; 0 = not known
-    double lambda_min_nm = 0.0, lambda_max_nm = 0.0;  ///< range of the data
+    double lambda_min_nm = 0.0, lambda_max_nm = 0.0;  ///< range of the data; 0: unknown
     bool birefringent = false;  ///< a crystal that doubles what is seen through it
     bool extraordinary =
         false;                  ///< of such a crystal's two rays, the data are of the extraordinary

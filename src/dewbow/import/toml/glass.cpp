@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "dewbow/import/glass/glass_file.h"
 #include "dewbow/import/named_glass.h"
 #include "dewbow/import/toml/spectra.h"
 #include "dewbow/spectrum/rgb.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr Range kIndexRange{1.0, 10.0};
 constexpr Range kAbbeRange{1.0, 1e6};
+constexpr Range kRangeRange{1.0, 1e9};  ///< wavelengths in nm
 constexpr Range kTransmittanceRange{0.0, 1.0, true, false};
 
 const std::vector<std::string>& form_names() {
@@ -26,7 +28,10 @@ const std::vector<std::string>& form_names() {
 DispersionPtr glass_of(const TomlDocument& document, const TomlValue& value, Diagnostics* notes) {
     const std::string& name = read_text(document, value, "glass");
     const SourcePlace place{document.file, value.place.line, value.place.column, {}};
-    return at_place(document, value.place, [&] { return named_glass(name, place, notes); });
+    return at_place(document, value.place, [&] {
+        return is_glass_file_reference(name) ? glass_of_file(name, place, notes)
+                                             : named_glass(name, place, notes);
+    });
 }
 
 DispersionPtr formula_of(const TomlDocument& document, const TomlValue& value) {
@@ -40,6 +45,11 @@ DispersionPtr formula_of(const TomlDocument& document, const TomlValue& value) {
     if (const TomlValue* reference = table.find("reference")) {
         const std::size_t which = read_choice(document, *reference, "reference", kReferences);
         data.reference = which == 0 ? IndexReference::air : IndexReference::vacuum;
+    }
+    if (const TomlValue* range = table.find("range_nm")) {
+        const std::vector<double> ends = read_numbers(document, *range, "range_nm", kRangeRange);
+        if (ends.size() != 2) table.fail_here("range_nm wants two wavelengths");
+        data.range = DataRange{ends[0], ends[1]};
     }
     table.finish();
     return at_place(document, value.place, [&] { return make_dispersion(data); });

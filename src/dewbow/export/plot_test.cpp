@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/export/plot.h"
+
+#include <gtest/gtest.h>
+
+namespace dewbow {
+namespace {
+
+TEST(RoundTicks, AreRoundAndInside) {
+    const auto expect = [](std::vector<double> ticks, std::vector<double> expected) {
+        ASSERT_EQ(ticks.size(), expected.size());
+        for (std::size_t i = 0; i < ticks.size(); ++i) EXPECT_NEAR(ticks[i], expected[i], 1e-12);
+    };
+    expect(round_ticks(0.0, 1.0, 5), {0.0, 0.2, 0.4, 0.6, 0.8, 1.0});
+    expect(round_ticks(360.0, 830.0, 7), {400.0, 500.0, 600.0, 700.0, 800.0});
+    expect(round_ticks(-1.0, 1.0, 4), {-1.0, -0.5, 0.0, 0.5, 1.0});
+    expect(round_ticks(2.0, 2.0, 4), {2.0});
+}
+
+PlotPanel panel() {
+    PlotPanel p;
+    p.title = "n < 2 & more";
+    p.x = {"wavelength (nm)", 400.0, 700.0};
+    p.y = {"n", 1.0, 2.0};
+    p.curves.push_back({"glass", plot_colour(0), {{400.0, 1.5}, {700.0, 1.4}}, false});
+    return p;
+}
+
+TEST(Svg, PutsPointsWhereTheAxesSay) {
+    const PlotPanel p = panel();
+    const std::string svg = svg_of({&p, 1});
+    // The area is 78…598 by 46…406 pixels.
+    EXPECT_NE(svg.find("points=\"78.00,226.00 598.00,262.00 \""), std::string::npos) << svg;
+    EXPECT_NE(svg.find("n &lt; 2 &amp; more"), std::string::npos);
+}
+
+TEST(Svg, TurnsAnAxisRound) {
+    PlotPanel p = panel();
+    std::swap(p.x.from, p.x.to);
+    EXPECT_NE(svg_of({&p, 1}).find("points=\"598.00,226.00 78.00,262.00 \""), std::string::npos);
+}
+
+/// Labels of marks that lie on top of each other stand at different places.
+TEST(Svg, KeepsLabelsApart) {
+    PlotPanel p = panel();
+    for (int i = 0; i < 6; ++i) p.marks.push_back({{550.0, 1.7}, "label", "#000"});
+    const std::string svg = svg_of({&p, 1});
+    std::vector<std::string> places;
+    for (std::size_t at = svg.find(">label<"); at != std::string::npos;
+         at = svg.find(">label<", at + 1))
+        places.push_back(svg.substr(svg.rfind("<text", at), at - svg.rfind("<text", at)));
+    ASSERT_EQ(places.size(), 6u);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_NE(places[i], places[j]);
+}
+
+}  // namespace
+}  // namespace dewbow
