@@ -16,7 +16,7 @@ constexpr double kLeft = 78, kRight = 22, kTop = 46, kBottom = 64;
 constexpr double kFont = 13, kTitleFont = 16, kBandHeight = 10, kTick = 6;
 constexpr double kLetterWidth = 0.58;  ///< of the font's size: the mean of a sans serif
 constexpr int kTicks = 7;
-constexpr int kMostSteps = 80;  ///< of moving a label out of the way
+constexpr double kLineHeight = 15, kLabelGap = 6;
 
 constexpr const char* kInk = "#333";
 constexpr const char* kGrid = "#e6e6e6";
@@ -63,12 +63,19 @@ std::string text_element(double x, double y, const char* anchor, const std::stri
                        x, y, anchor, colour, with_subscript(text));
 }
 
+/// What the labels of curves take.
+double label_margin(const PlotPanel& panel) {
+    double widest = 0.0;
+    for (const PlotCurve& curve : panel.curves) widest = std::max(widest, text_width(curve.label));
+    return widest > 0.0 ? widest + kLabelGap : kRight;
+}
+
 class PanelWriter {
 public:
     PanelWriter(const PlotPanel& panel, double left, std::size_t number)
         : panel_(panel),
           number_(number),
-          area_{left + kLeft, kTop, left + kWidth - kRight, kHeight - kBottom} {}
+          area_{left + kLeft, kTop, left + kWidth - label_margin(panel), kHeight - kBottom} {}
 
     std::string write() {
         out_ += fmt::format(
@@ -86,8 +93,7 @@ public:
         out_ += "</g>\n";
         for (const PlotMark& mark : panel_.marks) reserve_dot(mark);
         for (const PlotMark& mark : panel_.marks) write_mark(mark);
-        for (const PlotCurve& curve : panel_.curves) reserve_curve(curve);
-        for (const PlotCurve& curve : panel_.curves) write_curve_label(curve);
+        write_curve_labels();
         return out_;
     }
 
@@ -173,27 +179,26 @@ private:
             points, curve.colour, curve.dashed ? " stroke-dasharray=\"5 4\"" : "");
     }
 
-    /// At the right end, above the curve or below it, and further off where something is.
-    void write_curve_label(const PlotCurve& curve) {
-        if (curve.label.empty() || curve.points.empty()) return;
-        const PlotPoint end = curve.points.back();
-        const double right = std::min(x_of(end.x), area_.right) - 6,
-                     width = text_width(curve.label);
-        for (int step = 0; step <= kMostSteps; ++step) {
-            const bool above = step % 2 == 0;
-            const double away = 2.0 * (step / 2);
-            const double base = y_of(end.y) + (above ? -9.0 - away : 8.0 + kFont + away);
-            const Box box{right - width, base - kFont, right, base + 3};
-            if (step < kMostSteps && !is_free(box)) continue;
-            taken_.push_back(box);
-            out_ += text_element(right, base, "end", curve.label, curve.colour);
-            return;
-        }
-    }
-
-    void reserve_curve(const PlotCurve& curve) {
-        for (const PlotPoint& p : curve.points)
-            taken_.push_back({x_of(p.x) - 2, y_of(p.y) - 2, x_of(p.x) + 2, y_of(p.y) + 2});
+    /// Right of the area, at the height of the curves' ends, pushed apart where they are too near.
+    void write_curve_labels() {
+        struct Label {
+            const PlotCurve* curve;
+            double y;
+        };
+        std::vector<Label> labels;
+        for (const PlotCurve& curve : panel_.curves)
+            if (!curve.label.empty() && !curve.points.empty())
+                labels.push_back({&curve, y_of(curve.points.back().y)});
+        std::stable_sort(labels.begin(), labels.end(),
+                         [](const Label& a, const Label& b) { return a.y < b.y; });
+        for (std::size_t i = 1; i < labels.size(); ++i)
+            labels[i].y = std::max(labels[i].y, labels[i - 1].y + kLineHeight);
+        double lowest = area_.bottom;
+        for (std::size_t i = labels.size(); i-- > 0; lowest = labels[i].y - kLineHeight)
+            labels[i].y = std::min(labels[i].y, lowest);
+        for (const Label& label : labels)
+            out_ += text_element(area_.right + kLabelGap, label.y + 0.35 * kFont, "start",
+                                 label.curve->label, label.curve->colour);
     }
 
     void reserve_dot(const PlotMark& mark) {

@@ -19,7 +19,7 @@ struct PlotAxis {
 };
 
 struct PlotCurve {
-    std::string label;  ///< stands at its right end; may be empty
+    std::string label;  ///< stands right of its end; may be empty
     std::string colour;
     std::vector<PlotPoint> points;
     bool dashed = false;

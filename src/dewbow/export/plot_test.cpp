@@ -22,7 +22,7 @@ PlotPanel panel() {
     p.title = "n < 2 & more";
     p.x = {"wavelength (nm)", 400.0, 700.0};
     p.y = {"n", 1.0, 2.0};
-    p.curves.push_back({"glass", plot_colour(0), {{400.0, 1.5}, {700.0, 1.4}}, false});
+    p.curves.push_back({"", plot_colour(0), {{400.0, 1.5}, {700.0, 1.4}}, false});
     return p;
 }
 
@@ -52,6 +52,22 @@ TEST(Svg, KeepsLabelsApart) {
     ASSERT_EQ(places.size(), 6u);
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(places[i], places[j]);
+}
+
+/// Labels of curves that end near each other stand in lines of their own, in the curves' order.
+TEST(Svg, KeepsLabelsOfCurvesInOrder) {
+    PlotPanel p = panel();
+    for (const char* label : {"first", "second", "third"})
+        p.curves.push_back({label, "#000", {{400.0, 1.5}, {700.0, 1.4 - 0.001 * label[0]}}, false});
+    const std::string svg = svg_of({&p, 1});
+    const auto y_of = [&](const char* label) {
+        const std::size_t at = svg.find(std::string(">") + label + "<");
+        const std::size_t y = svg.rfind(" y=\"", at) + 4;
+        return std::stod(svg.substr(y, svg.find('"', y) - y));
+    };
+    // f, s, t: each a little lower than the one before.
+    EXPECT_GE(y_of("second") - y_of("first"), 14.9);
+    EXPECT_GE(y_of("third") - y_of("second"), 14.9);
 }
 
 }  // namespace
