@@ -6,7 +6,8 @@
 
 MATERIALS.json is a selection of 117 materials of the refractiveindex.info database with three closed
 formulas, DATABASE a checkout of that database (github.com/polyanskiy/refractiveindex.info-database,
-CC0-1.0). Both are read here only: the tables that come out are part of the repository.
+CC0-1.0). Both are read here only: the tables that come out are part of the repository. Needs
+python3-yaml.
 """
 import csv
 import glob

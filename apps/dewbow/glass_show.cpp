@@ -165,7 +165,10 @@ int run(const GlassShowCommand& command) {
     Json list = Json::array();
     for (const GlassFacts& facts : glasses) list.push_back(json_of(facts, command.at_nm));
     if (command.json)
-        print_data((glasses.size() == 1 ? list.front() : list).dump() + "\n");
+        // Texts of files may hold bytes that are no UTF-8.
+        print_data((glasses.size() == 1 ? list.front() : list)
+                       .dump(-1, ' ', false, Json::error_handler_t::replace) +
+                   "\n");
     else
         print_data(glasses.size() == 1 ? text_of(glasses.front(), command.at_nm)
                                        : comparison(glasses, command.at_nm));
