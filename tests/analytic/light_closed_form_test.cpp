@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dewbow/render/punctual_light.h"
 #include "scene_kit.h"
 #include "statistics.h"
 
@@ -99,6 +100,81 @@ TEST(LightClosedForm, SpotFallsOffBetweenItsAngles) {
             expect_exactly(scene, 5.0 / 4.0 * inside * inside);
         else
             EXPECT_EQ(radiance(scene, 100).mean(), 0.0);
+    }
+}
+
+/// I(θ, φ) cos / d², with the intensity of the web between its rows by hand.
+TEST(LightClosedForm, ProfileShinesAsItsWeb) {
+    // Falls to nothing at 60°; at φ = 90° it is twice as bright as at 0°, 180° and 270°.
+    PhotometricTable table{{0, 30, 60}, {0, 90, 180, 270, 360}, {}};
+    for (const double factor : {1.0, 2.0, 1.0, 1.0, 1.0})
+        for (const double cd : {400.0, 100.0, 0.0}) table.intensity_cd.push_back(factor * cd);
+    const auto web = std::make_shared<const PhotometricWeb>(table);
+    const auto scene_of = [&](Vec3 position, const Affine& turn) {
+        Scene scene = wall_scene();
+        scene.lights.push_back(
+            ProfileLight{{position}, Transform<World, Object>(turn), web, make_constant(0.01)});
+        return scene;
+    };
+    const double h = 2.0;
+    for (const double theta_deg : {0.0, 10.0, 30.0, 45.0, 59.0}) {
+        SCOPED_TRACE(theta_deg);
+        const double theta = theta_deg * kPi / 180.0, d = h / std::cos(theta);
+        const double cd =
+            theta_deg < 30.0 ? 400.0 - 10.0 * theta_deg : 100.0 * (60.0 - theta_deg) / 30.0;
+        const double e = 0.01 * cd * std::cos(theta) / (d * d);
+        const double aside = h * std::tan(theta);
+        // φ = 0 is +x, so that the lamp stands on the other side of what it shines on.
+        expect_exactly(scene_of({-aside, h, 0}, {}), e);
+        // φ = 90° is −z; there is nothing to tell directions apart at nadir.
+        if (theta_deg > 0.0) expect_exactly(scene_of({0, h, aside}, {}), 2.0 * e);
+        // Turned by 45° about the vertical, halfway between 0° and 90°.
+        if (theta_deg > 0.0)
+            expect_exactly(scene_of({-aside, h, 0}, rotation({0, 1, 0}, -45.0 * deg)), 1.5 * e);
+    }
+    const Scene beyond = scene_of({2.0 * h, h, 0}, {});
+    EXPECT_EQ(radiance(beyond, 100).mean(), 0.0);
+}
+
+/// E cos θ within the cylinder, nothing outside and nothing behind.
+TEST(LightClosedForm, BeamIsAsBrightEverywhere) {
+    for (const double angle_deg : {0.0, 40.0, 75.0}) {
+        const double angle = angle_deg * kPi / 180.0;
+        const Vec3 direction{std::sin(angle), -std::cos(angle), 0};
+        const auto scene_of = [&](double distance, Vec3 aside) {
+            Scene scene = wall_scene();
+            scene.lights.push_back(BeamLight{
+                {-distance * direction + aside}, {direction}, 0.01 * m, make_constant(4.0)});
+            return scene;
+        };
+        for (const double distance : {0.5, 50.0})
+            expect_exactly(scene_of(distance, {0, 0, 0.0099}), 4.0 * std::cos(angle));
+        EXPECT_EQ(radiance(scene_of(0.5, {0, 0, 0.0101}), 100).mean(), 0.0);
+        EXPECT_EQ(radiance(scene_of(-0.5, {}), 100).mean(), 0.0);
+    }
+}
+
+/// A plate, however it is turned, takes E π r² of a beam that falls on it wholly.
+TEST(LightClosedForm, BeamBringsItsPowerThroughAnyPlate) {
+    constexpr int kSide = 4000;
+    constexpr double kMidpoints = 2e-3;  // cells on the rim: some 1 / kSide of its length
+    const double radius = 0.3, irradiance = 5.0;
+    const Beam beam({{{0, 3, 0}}, {{0, -1, 0}}, radius * m, make_constant(irradiance)});
+    for (const double angle_deg : {0.0, 30.0, 70.0}) {
+        const double angle = angle_deg * kPi / 180.0;
+        const Vec3 along{std::cos(angle), std::sin(angle), 0};
+        const Receiver facing{{}, {-std::sin(angle), std::cos(angle), 0}};
+        double power = 0.0;
+        for (int i = 0; i < kSide * 2; ++i)
+            for (int k = 0; k < kSide / 10; ++k) {
+                const double a = 2.0 * ((i + 0.5) / (2 * kSide) - 0.5);
+                const double b = 0.7 * ((k + 0.5) / (kSide / 10) - 0.5);
+                const auto arrival = beam.arrival(along * a + Vec3{0, 0, b});
+                if (!arrival) continue;
+                power += irradiance * arrival->factor * dot(arrival->direction, facing.normal);
+            }
+        power *= 2.0 / (2 * kSide) * 0.7 / (kSide / 10);
+        EXPECT_NEAR(power / (irradiance * kPi * radius * radius), 1.0, kMidpoints) << angle_deg;
     }
 }
 

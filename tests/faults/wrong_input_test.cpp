@@ -321,7 +321,8 @@ TEST(WrongInput, SceneWords) {
               {"unknown material type \"difuse\"", "did you mean \"diffuse\"?"}),
         scene("shape", GREY "[[shapes]]\ntype = §\"cone\"\n",
               {"unknown shape type \"cone\"", "sphere, disc, rectangle"}),
-        scene("light", "[[lights]]\ntype = §\"sun\"\n", {"\"sun\"", "point, spot, distant"}),
+        scene("light", "[[lights]]\ntype = §\"sun\"\n",
+              {"\"sun\"", "point, spot, profile, beam, distant"}),
         scene("glass", "[materials.a]\ntype = \"glass\"\nglass = §\"schott/N-BK8\"\n",
               {"unknown glass \"schott/N-BK8\"", "did you mean schott/N-BK7?"}),
         scene("illuminant", "[materials.a]\ntype = \"black\"\nemission = §\"D66\"\n",
@@ -330,6 +331,42 @@ TEST(WrongInput, SceneWords) {
               {"unknown lamp \"led/cool-wite\"", "did you mean led/cool-white?"}),
         scene("camera of no import", "[camera]\nfrom = §\"ring\"\n",
               {"there is no import \"ring\""}),
+    });
+}
+
+#define PROFILE "[[lights]]\ntype = \"profile\"\nposition = [0, 2, 0]\n"
+#define BEAM "[[lights]]\ntype = \"beam\"\nposition = [0, 2, 0]\n"
+#define DOWN "direction = [0, -1, 0]\n"
+
+TEST(WrongInput, Lights) {
+    const std::string ies =
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 0\n";
+    const std::vector<File> lamp{{"a.ies", ies}};
+    check({
+        scene("profile of no file", "§" PROFILE, {"light 1 needs file"}),
+        scene("profile not there", PROFILE "file = §\"b.ies\"\n", {"b.ies"}, lamp),
+        scene("profile of noise", PROFILE "file = §\"b.ies\"\n", {"b.ies"},
+              {{"b.ies", random_bytes(999)}}),
+        scene("profile elsewhere", PROFILE "file = §\"../a.ies\"\n", {"leads out"}),
+        scene("two sizes", PROFILE "file = \"a.ies\"\nscale = 2\n§luminous_flux_lm = 800\n",
+              {"luminous_flux_lm"}, lamp),
+        scene("two aims", "§" PROFILE DOWN "look_at = [0, 0, 0]\nfile = \"a.ies\"\n",
+              {"has both direction and look_at; keep one"}, lamp),
+        scene("aim at itself", "§" PROFILE "look_at = [0, 2, 0]\nfile = \"a.ies\"\n",
+              {"looks at its own position"}, lamp),
+        scene("lamp without light", "§" PROFILE "file = \"a.ies\"\nspectrum = 0\n",
+              {"has a spectrum that is black"}, lamp),
+        scene("beam without aim", "§" BEAM "radius_mm = 1\nirradiance = 1\n",
+              {"light 1 needs direction or look_at"}),
+        scene("beam without radius", "§" BEAM DOWN "irradiance = 1\n", {"light 1 needs radius_m"}),
+        scene("beam without size", "§" BEAM DOWN "radius_mm = 1\n",
+              {"light 1 needs irradiance or power_W"}),
+        scene("two strengths", BEAM DOWN "radius_mm = 1\nirradiance = 1\n§power_W = 1\n",
+              {"power_W"}),
+        scene("negative power", BEAM DOWN "radius_mm = 1\npower_W = §-1\n", {"power_W is -1"}),
+        scene("no radius", BEAM DOWN "radius_mm = §0\npower_W = 1\n", {"radius_mm is 0"}),
+        scene("slip", BEAM DOWN "radius_mm = 1\npower_W = 1\n§spectrom = 1\n",
+              {"did you mean \"spectrum\"?"}),
     });
 }
 

@@ -36,8 +36,9 @@ struct ChiSquare {
 };
 
 /// χ² of samples in cells of equal solid angle, the failed samples as one more cell.
+/// @param quadrature  share of a cell's expectation that midpoints may miss.
 inline ChiSquare chi_square(const SampleDirection& sample, const Density& density,
-                            int samples = kSamples) {
+                            int samples = kSamples, double quadrature = kQuadrature) {
     std::vector<double> expected(kRows * kColumns), found(kRows * kColumns, 0.0);
     ChiSquare result{0.0, 0.0, false};
     const double cell = 4.0 * kPi / double(kRows * kColumns);
@@ -69,18 +70,18 @@ inline ChiSquare chi_square(const SampleDirection& sample, const Density& densit
            pooled_found = failed;
     int freedom = -1;
     // The quadrature's own error, in samples, counts as variance.
-    const auto take = [&](double e, double f, double quadrature) {
-        chi += (f - e) * (f - e) / (e + quadrature * quadrature);
+    const auto take = [&](double e, double f, double missed) {
+        chi += (f - e) * (f - e) / (e + missed * missed);
         ++freedom;
     };
     for (std::size_t i = 0; i < expected.size(); ++i) {
         if (expected[i] >= kLeastExpected)
-            take(expected[i], found[i], kQuadrature * expected[i]);
+            take(expected[i], found[i], quadrature * expected[i]);
         else
             pooled_expected += expected[i], pooled_found += found[i];
     }
     take(std::max(kLeastExpected, pooled_expected), std::max(kLeastExpected, pooled_found),
-         kQuadrature * samples);
+         quadrature * samples);
     result.score = (chi - freedom) / std::sqrt(2.0 * freedom);
     return result;
 }

@@ -62,18 +62,19 @@ TEST(Samplers, LightsKnowTheDensityOfTheirSamples) {
     constexpr double kSame = 1e-6;  // directions at the rim of a light, cosines near 0
     const Scene scene = lights_scene();
     const LightSet lights(scene);
-    std::vector<int> seen(scene.shapes.size() + scene.lights.size(), 0);
+    std::vector<int> seen_shapes(scene.shapes.size(), 0), seen_far(scene.lights.size(), 0);
+    const Receiver receiver{{0.1, 0.2, 0.3}};
     for (std::size_t i = 0; i < 100000; ++i) {
         const SampleKey key = independent_key(34, i);
-        const Vec3 from{0.1, 0.2, 0.3};
-        const auto s = lights.sample(from, test_numbers(key, 0)[0], test_numbers(key, 1));
+        const auto s = lights.sample(receiver, test_numbers(key, 0)[0], test_numbers(key, 1));
         if (!s) continue;
-        ++seen[std::size_t(s->light)];
         if (std::isinf(s->distance)) {
-            const int k = s->light - int(scene.shapes.size());
-            ASSERT_NEAR(lights.pdf_of_infinite(k, s->direction) / s->pdf, 1.0, kSame);
+            ++seen_far[std::size_t(s->index)];
+            ASSERT_NEAR(lights.pdf_of_infinite(receiver, s->index, s->direction) / s->pdf, 1.0,
+                        kSame);
             continue;
         }
+        ++seen_shapes[std::size_t(s->index)];
         // That light alone, so that nothing stands before it.
         static std::vector<std::unique_ptr<Scene>> alone;
         static std::vector<std::unique_ptr<Accelerator>> trees;
@@ -85,14 +86,37 @@ TEST(Samplers, LightsKnowTheDensityOfTheirSamples) {
                 trees.push_back(
                     std::make_unique<Accelerator>(*alone.back(), std::vector<bool>{false}));
             }
-        Hit hit = trees[std::size_t(s->light)]->intersect({from, s->direction, {}});
+        Hit hit = trees[std::size_t(s->index)]->intersect({receiver.position, s->direction, {}});
         if (!hit || std::abs(hit.t / s->distance - 1.0) > 1e-6)
             continue;  // the far side, or the rim
-        hit.shape = s->light;
-        ASSERT_NEAR(lights.pdf_of_hit(from, s->direction, hit) / s->pdf, 1.0, 1e-4)
-            << "light " << s->light;
+        hit.shape = s->index;
+        ASSERT_NEAR(lights.pdf_of_hit(receiver, s->direction, hit) / s->pdf, 1.0, 1e-4)
+            << "light " << s->index;
     }
-    for (const int count : seen) EXPECT_GT(count, 200);
+    for (const int count : seen_shapes) EXPECT_GT(count, 200);
+    for (const int count : seen_far) EXPECT_GT(count, 200);
+}
+
+/// A bright pixel at a pole, at the seam, and in their corner.
+TEST(Samplers, EnvironmentPictureAtPolesAndSeam) {
+    for (const int bright : {3, 44, 0, 24, 47}) {
+        SCOPED_TRACE(bright);
+        auto image = std::make_shared<ImageEnvironment>();
+        image->width = 8, image->height = 6;
+        for (int i = 0; i < 48; ++i)
+            image->pixels.push_back({{0.2, 0.2, i == bright ? 20.0 : 0.2}});
+        const EnvironmentMap map(image);
+        const ChiSquare found = chi_square(
+            [&](const SampleKey& key) -> std::optional<Vec3> {
+                const EnvironmentMap::Sample s = map.sample(test_numbers(key, 0));
+                EXPECT_NEAR(map.pdf(s.direction) / s.pdf, 1.0, 1e-6);
+                return s.direction;
+            },
+            [&](Vec3 d) { return map.pdf(d); }, 200000, 1e-2);
+        EXPECT_NEAR(found.integral, 1.0, 2e-2);
+        EXPECT_LT(found.score, kChiLimit);
+        EXPECT_FALSE(found.in_void);
+    }
 }
 
 TEST(Samplers, EnvironmentPicture) {

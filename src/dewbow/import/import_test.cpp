@@ -12,6 +12,7 @@
 
 #include "dewbow/base/file.h"
 #include "dewbow/import/gltf/test_document.h"
+#include "dewbow/import/merge.h"
 #include "dewbow/import/toml/scene_toml.h"
 #include "dewbow/spectrum/cie.h"
 
@@ -371,6 +372,27 @@ TEST(KnownFiles, GemsHaveTheVolumesTheyWereMadeWith) {
         ++gems;
     }
     EXPECT_EQ(gems, 4u);
+}
+
+/// A guest that is blown up twofold and lies on its side: its beam is twice as wide, its profile
+/// shines along the turned nadir.
+TEST(Merge, MovesBeamsAndProfiles) {
+    constexpr double kRounding = 1e-12;
+    const auto web =
+        std::make_shared<const PhotometricWeb>(PhotometricTable{{0.0, 90.0}, {0.0}, {1.0, 0.0}});
+    Scene guest = make_empty_scene(), host = make_empty_scene();
+    guest.lights.push_back(
+        BeamLight{{{1, 0, 0}}, {{0, -1, 0}}, 0.25 * unit::m, make_constant(1.0)});
+    guest.lights.push_back(ProfileLight{{{1, 0, 0}}, {}, web, make_constant(1.0)});
+    // A quarter turn about z takes −y to +x and +x to +y.
+    merge(host, guest, rotation({0, 0, 1}, 90.0 * unit::deg) * scaling({2, 2, 2}), {});
+    const auto& beam = std::get<BeamLight>(host.lights.at(0));
+    EXPECT_NEAR(beam.radius.to(unit::m), 0.5, kRounding);
+    EXPECT_NEAR(length(beam.direction.v - Vec3{1, 0, 0}), 0.0, kRounding);
+    EXPECT_NEAR(length(beam.position.v - Vec3{0, 2, 0}), 0.0, kRounding);
+    const auto& profile = std::get<ProfileLight>(host.lights.at(1));
+    const Vec3 nadir = profile.world_from_object(Dir<Object>{{0, -1, 0}}).v;
+    EXPECT_NEAR(length(nadir - Vec3{1, 0, 0}), 0.0, kRounding);
 }
 
 }  // namespace

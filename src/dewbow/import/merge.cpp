@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/import/merge.h"
 
+#include <cmath>
+
 namespace dewbow {
 namespace {
 
@@ -10,6 +12,11 @@ struct MoveLight {
     Point<World> moved(Point<World> p) const { return {world_from_guest.apply(p.v)}; }
     Dir<World> moved(Dir<World> d) const {
         return {normalised(world_from_guest.apply_linear(d.v))};
+    }
+    Transform<World, Object> turned(const Transform<World, Object>& rotation) const {
+        Affine both = without_scale(world_from_guest * rotation.affine());
+        for (auto& row : both.m) row[3] = 0.0;
+        return Transform<World, Object>(both);
     }
 
     Light operator()(PointLight light) const {
@@ -21,17 +28,27 @@ struct MoveLight {
         light.direction = moved(light.direction);
         return light;
     }
+    Light operator()(ProfileLight light) const {
+        light.position = moved(light.position);
+        light.world_from_object = turned(light.world_from_object);
+        return light;
+    }
+    /// The disc grows with the guest, and with it the power that the beam carries.
+    Light operator()(BeamLight light) const {
+        light.position = moved(light.position);
+        light.direction = moved(light.direction);
+        light.radius = light.radius * std::cbrt(std::abs(world_from_guest.determinant()));
+        return light;
+    }
     Light operator()(DistantLight light) const {
         light.direction = moved(light.direction);
         return light;
     }
     Light operator()(const UniformEnvironment& light) const { return light; }
     Light operator()(const std::shared_ptr<const ImageEnvironment>& light) const {
-        auto turned = std::make_shared<ImageEnvironment>(*light);
-        Affine rotation = without_scale(world_from_guest * light->world_from_object.affine());
-        for (auto& row : rotation.m) row[3] = 0.0;
-        turned->world_from_object = Transform<World, Object>(rotation);
-        return std::shared_ptr<const ImageEnvironment>(turned);
+        auto moved = std::make_shared<ImageEnvironment>(*light);
+        moved->world_from_object = turned(light->world_from_object);
+        return std::shared_ptr<const ImageEnvironment>(moved);
     }
 };
 

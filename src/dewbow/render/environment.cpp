@@ -17,8 +17,9 @@ double luminance(Colour<LinearSrgb> rgb) { return xyz_from_rgb(rgb)[1]; }
 
 double row_theta(int row, int height) { return kPi * (row + 0.5) / height; }
 
-/// Brightness of each pixel, smoothed over its neighbours because radiance() interpolates between
-/// them, times the solid angle of its row.
+/// Mean over each pixel of the brightness that radiance() interpolates between it and its
+/// neighbours, times the solid angle of its row. (A bright pixel alone is then sampled with the
+/// relative variance 1.44² − 1; with the same weight for all nine it would be 3.)
 std::vector<double> sampling_weights(const ImageEnvironment& image) {
     const auto y_at = [&](int x, int y) {
         const int wrapped = (x + image.width) % image.width;
@@ -30,10 +31,14 @@ std::vector<double> sampling_weights(const ImageEnvironment& image) {
     weights.reserve(image.pixels.size());
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
+            // A half of the pixel lies towards either neighbour, at 1/4 of the way on average.
+            constexpr std::array<double, 3> kShare{0.125, 0.75, 0.125};
             double sum = 0.0;
             for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) sum += std::max(0.0, y_at(x + dx, y + dy));
-            weights.push_back(sum / 9.0 * std::sin(row_theta(y, image.height)));
+                for (int dx = -1; dx <= 1; ++dx)
+                    sum += kShare[std::size_t(dx + 1)] * kShare[std::size_t(dy + 1)] *
+                           std::max(0.0, y_at(x + dx, y + dy));
+            weights.push_back(sum * std::sin(row_theta(y, image.height)));
         }
     }
     return weights;

@@ -60,6 +60,28 @@ TEST(EnvironmentMap, TurnsWithItsFrame) {
     EXPECT_NEAR(map.radiance({0, 0, -1})[0], 2.0 * 5.5, 1e-9);
 }
 
+/// A sun of one pixel in a dark sky is found nearly by every sample, and its light has the variance
+/// that the weights of one bright pixel promise: 1.44² − 1 = 1.09.
+TEST(EnvironmentMap, SamplesASunWell) {
+    constexpr int kSide = 400;             // a grid of numbers: no chance
+    constexpr double kMostVariance = 1.2;  // and 0.1 for the rows' sine and the sky
+    for (const int row : {2, 16}) {
+        auto image = std::make_shared<ImageEnvironment>();
+        image->width = 64, image->height = 32;
+        image->pixels.assign(64 * 32, {{1.0, 1.0, 1.0}});
+        image->pixels[std::size_t(row * 64)] = {{1e6, 1e6, 1e6}};  // on the seam
+        const EnvironmentMap map(image);
+        double sum = 0.0, squares = 0.0;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const auto s = map.sample({(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide});
+            const double value = map.radiance(s.direction)[1] / s.pdf;
+            sum += value / (kSide * kSide);
+            squares += value * value / (kSide * kSide);
+        }
+        EXPECT_LT(squares / (sum * sum) - 1.0, kMostVariance) << "row " << row;
+    }
+}
+
 /// The spectra of a colour of light have the colour, whichever channel is the largest.
 TEST(EnvironmentMap, RgbLightHasTheColourOfItsRgb) {
     constexpr double kLanes = 2e-3;  // 16 lanes, 256 rotations of them: what is left of their noise

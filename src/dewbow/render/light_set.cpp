@@ -3,361 +3,218 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "dewbow/base/error.h"
-#include "dewbow/math/sampling.h"
-#include "dewbow/render/analytic_shape.h"
-#include "dewbow/spectrum/cie.h"
 
 namespace dewbow {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Share of the choices that falls on all lights alike, so that none is starved by an estimate of
-/// power that knows nothing of distance and of what stands between.
+constexpr double kOneBelow = 1.0 - 0x1p-53;  // the largest double below 1
+/// Share of the choices that falls on all groups of lights alike, and within the infinitely far
+/// ones on all alike, so that none is starved by an estimate that knows nothing of what stands
+/// between.
 constexpr double kEvenShare = 0.1;
 
-double brightness(const Spectrum& spectrum) {
-    return xyz_from_spectrum(spectrum)[1] / cie_y_integral();
+LightSample from_arrival(LightSample::Source source, int index, const Arrival& arrival,
+                         double chosen) {
+    return {source, index, arrival.direction, arrival.distance, chosen, arrival.factor, true};
 }
 
-/// Axis lengths of a transform's linear part agree to this: rounding of rotations.
-constexpr double kUniformScale = 1e-9;
-
-/// The scale of a transform that keeps spheres spheres, or nothing.
-std::optional<double> uniform_scale(const Affine& a) {
-    const double x = length(a.apply_linear({1, 0, 0}));
-    const Vec3 unit_x = a.apply_linear({1, 0, 0}) / x;
-    const double y = length(a.apply_linear({0, 1, 0})), z = length(a.apply_linear({0, 0, 1}));
-    const bool alike = std::abs(x - y) < kUniformScale * x && std::abs(x - z) < kUniformScale * x;
-    const bool square =
-        std::abs(dot(unit_x, a.apply_linear({0, 1, 0}))) < kUniformScale * x &&
-        std::abs(dot(unit_x, a.apply_linear({0, 0, 1}))) < kUniformScale * x &&
-        std::abs(dot(a.apply_linear({0, 1, 0}), a.apply_linear({0, 0, 1}))) < kUniformScale * x * x;
-    return alike && square ? std::optional(x) : std::nullopt;
-}
-
-std::vector<std::array<Vec3, 3>> triangles_of(const Geometry& geometry) {
-    if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&geometry)) {
-        std::vector<std::array<Vec3, 3>> result;
-        for (const auto& [a, b, c] : (*mesh)->triangles)
-            result.push_back(
-                {(*mesh)->vertices[a].v, (*mesh)->vertices[b].v, (*mesh)->vertices[c].v});
-        return result;
-    }
-    if (const auto* rectangle = std::get_if<Rectangle>(&geometry)) {
-        const double x = 0.5 * rectangle->width.to(unit::m),
-                     y = 0.5 * rectangle->height.to(unit::m);
-        return {{Vec3{-x, -y, 0}, Vec3{x, -y, 0}, Vec3{x, y, 0}},
-                {Vec3{-x, -y, 0}, Vec3{x, y, 0}, Vec3{-x, y, 0}}};
-    }
-    if (const auto* box = std::get_if<Box>(&geometry)) return triangles_of(*box);
-    if (const auto* prism = std::get_if<Prism>(&geometry)) return triangles_of(*prism);
-    return {};
-}
-
-double double_area(const std::array<Vec3, 3>& t) { return length(cross(t[1] - t[0], t[2] - t[0])); }
-
-/// Points of a sphere as seen from outside: where a direction of the cone meets it.
-double distance_to_sphere(Vec3 centre_from_here, double radius, Vec3 direction) {
-    const double along = dot(centre_from_here, direction);
-    const Vec3 aside = centre_from_here - direction * along;
-    return along - std::sqrt(std::max(0.0, radius * radius - dot(aside, aside)));
-}
-
-/// Radiance of a disc in the sky that gives irradiance 1 to a surface which faces it: 1 / (π sin²
-/// α), with 1 − cos α = `width`. Beyond the hemisphere nothing is added.
-double radiance_of_disc(double width) {
-    return 1.0 / (kPi * (width < 1.0 ? width * (2.0 - width) : 1.0));
-}
-
-/// 1 − cos of the half angle under which a sphere is seen; nothing from inside.
-std::optional<double> seen_width(Vec3 centre_from_here, double radius) {
-    const double sin2 = radius * radius / dot(centre_from_here, centre_from_here);
-    if (!(sin2 < 1.0)) return std::nullopt;
-    return sin2 / (1.0 + std::sqrt(1.0 - sin2));
+/// `u` within the part of [0, 1) of width `share` that begins at `low`, stretched to [0, 1).
+double stretched(double u, double low, double share) {
+    return std::clamp((u - low) / share, 0.0, kOneBelow);
 }
 
 }  // namespace
 
-LightSet::LightSet(const Scene& scene) : light_of_shape_(scene.shapes.size(), -1) {
+LightSet::LightSet(const Scene& scene) : glowing_of_shape_(scene.shapes.size(), -1) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        if (scene.materials[std::size_t(scene.shapes[i].material)].emission)
-            add_shape_light(scene, int(i));
-    const double radius = std::max(bounds_of(scene).radius(), 1e-3);
-    for (const Light& light : scene.lights) add_light(light, radius);
-    for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const Kind kind = lights_[i].kind;
-        const bool distant = kind == Kind::distant && lights_[i].cone_width > 0.0;
-        if (distant || kind == Kind::uniform || kind == Kind::image) infinite_.push_back(int(i));
+        if (scene.materials[std::size_t(scene.shapes[i].material)].gives_light())
+            add_shape(scene, int(i));
+    for (const Light& light : scene.lights) {
+        if (PunctualLight::holds(light))
+            punctual_.emplace_back(light);
+        else if (const auto* beam = std::get_if<BeamLight>(&light))
+            beams_.emplace_back(*beam);
+        else
+            infinite_.emplace_back(light);
     }
-    if (lights_.empty()) return;
-    double total = 0.0;
-    for (const Entry& entry : lights_) total += entry.power;
+    build_tree();
     std::vector<double> weights;
-    for (const Entry& entry : lights_)
-        weights.push_back((1.0 - kEvenShare) * (total > 0.0 ? entry.power / total : 0.0) +
-                          kEvenShare / double(lights_.size()));
-    choose_.emplace(weights);
+    for (const InfiniteLight& light : infinite_) far_irradiance_ += light.irradiance();
+    for (const InfiniteLight& light : infinite_)
+        weights.push_back((1.0 - kEvenShare) *
+                              (far_irradiance_ > 0.0 ? light.irradiance() / far_irradiance_ : 0.0) +
+                          kEvenShare / double(infinite_.size()));
+    if (!weights.empty()) choose_far_.emplace(weights);
 }
 
-void LightSet::add_shape_light(const Scene& scene, int shape_index) {
-    const Shape& shape = scene.shapes[std::size_t(shape_index)];
-    const Material& material = scene.materials[std::size_t(shape.material)];
-    if (std::holds_alternative<Plane>(shape.geometry))
-        throw InputError("shape \"" + shape.name + "\" is a plane without end and gives off light",
-                         "use a rectangle");
-    Entry entry;
-    entry.shape = shape_index;
-    entry.spectrum = material.emission;
-    entry.two_sided = material.two_sided_emission;
-    entry.world_from_object = shape.world_from_object;
-    const Affine& affine = shape.world_from_object.affine();
-    if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-        const std::optional<double> scale = uniform_scale(affine);
-        entry.kind = scale ? Kind::sphere : Kind::ellipsoid;
-        entry.position = affine.apply({});
-        entry.object_radius = sphere->radius.to(unit::m);
-        entry.radius = entry.object_radius * scale.value_or(1.0);
-        const double mean_scale = std::cbrt(std::abs(affine.determinant()));
-        entry.area = 4.0 * kPi * std::pow(sphere->radius.to(unit::m) * mean_scale, 2.0);
-    } else if (const auto* disc = std::get_if<Disc>(&shape.geometry)) {
-        entry.kind = Kind::disc;
-        entry.radius = disc->radius.to(unit::m);
-        const Vec3 cross_section =
-            cross(affine.apply_linear({1, 0, 0}), affine.apply_linear({0, 1, 0}));
-        entry.area = kPi * entry.radius * entry.radius * length(cross_section);
-    } else {
-        entry.kind = Kind::triangles;
-        std::vector<double> areas;
-        const double side = affine.determinant() < 0.0 ? -1.0 : 1.0;
-        for (std::array<Vec3, 3> t : triangles_of(shape.geometry)) {
-            for (Vec3& corner : t) corner = affine.apply(corner);
-            if (side < 0.0) std::swap(t[1], t[2]);
-            areas.push_back(0.5 * double_area(t));
-            entry.area += areas.back();
-            entry.corners.push_back(t);
+void LightSet::add_shape(const Scene& scene, int shape) {
+    glowing_of_shape_[std::size_t(shape)] = int(shapes_.size());
+    shapes_.emplace_back(scene, shape);
+}
+
+void LightSet::build_tree() {
+    std::vector<LightBounds> bounds;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        first_leaf_.push_back(int(leaves_.size()));
+        for (int part = 0; part < shapes_[i].parts(); ++part) {
+            leaves_.push_back({LightSample::Source::shape, int(i), part});
+            bounds.push_back(shapes_[i].bounds(part));
         }
-        if (!(entry.area > 0.0)) return;
-        entry.by_area.emplace(areas);
     }
-    entry.power = kPi * entry.area * brightness(*entry.spectrum) * (entry.two_sided ? 2.0 : 1.0);
-    light_of_shape_[std::size_t(shape_index)] = int(lights_.size());
-    lights_.push_back(std::move(entry));
+    for (std::size_t i = 0; i < punctual_.size(); ++i) {
+        leaves_.push_back({LightSample::Source::punctual, int(i), 0});
+        bounds.push_back(punctual_[i].bounds());
+    }
+    tree_.emplace(bounds);
 }
 
-void LightSet::add_light(const Light& light, double scene_radius) {
-    Entry entry;
-    const double disc = kPi * scene_radius * scene_radius;
-    if (const auto* point = std::get_if<PointLight>(&light)) {
-        entry.kind = Kind::point;
-        entry.position = point->position.v;
-        entry.spectrum = point->intensity;
-        entry.power = 4.0 * kPi * brightness(*entry.spectrum);
-    } else if (const auto* spot = std::get_if<SpotLight>(&light)) {
-        entry.kind = Kind::spot;
-        entry.position = spot->position.v;
-        entry.axis = spot->direction.v;
-        entry.spectrum = spot->intensity;
-        const double outer = cos(spot->outer), inner = cos(spot->inner);
-        entry.cos_scale = 1.0 / std::max(inner - outer, 1e-9);
-        entry.cos_offset = -outer * entry.cos_scale;
-        entry.power = 2.0 * kPi * (1.0 - outer) * brightness(*entry.spectrum);
-    } else if (const auto* distant = std::get_if<DistantLight>(&light)) {
-        entry.kind = Kind::distant;
-        entry.axis = -distant->direction.v;
-        entry.spectrum = distant->irradiance;
-        entry.cone_width = one_minus_cos(distant->angular_radius);
-        entry.power = disc * brightness(*entry.spectrum);
-    } else if (const auto* uniform = std::get_if<UniformEnvironment>(&light)) {
-        entry.kind = Kind::uniform;
-        entry.spectrum = uniform->radiance;
-        entry.power = 4.0 * kPi * disc * brightness(*entry.spectrum);
-    } else {
-        entry.kind = Kind::image;
-        entry.map.emplace(std::get<std::shared_ptr<const ImageEnvironment>>(light));
-        entry.power = 4.0 * kPi * disc * entry.map->mean_y();
-    }
-    lights_.push_back(std::move(entry));
+double LightSet::beam_irradiance(const Receiver& receiver) const {
+    double sum = 0.0;
+    for (const Beam& beam : beams_) sum += beam.irradiance(receiver);
+    return sum;
 }
 
-LightSet::SurfacePoint LightSet::sample_surface(const Entry& entry, std::array<double, 2> u) {
-    if (entry.kind == Kind::triangles) {
-        const Distribution1D::Sample which = entry.by_area->sample(u[0]);
-        const std::array<Vec3, 3>& t = entry.corners[which.index];
-        const Barycentric b = sample_uniform_triangle(which.offset, u[1]);
-        return {t[0] * b.a + t[1] * b.b + t[2] * b.c, normalised(cross(t[1] - t[0], t[2] - t[0])),
-                1.0 / entry.area};
-    }
-    if (entry.kind == Kind::disc) {
-        const DiscPoint p = sample_concentric_disc(u[0], u[1]);
-        const Point<Object> local{{entry.radius * p.x, entry.radius * p.y, 0.0}};
-        return {entry.world_from_object(local).v,
-                entry.world_from_object(Normal<Object>{{0, 0, 1}}).v, 1.0 / entry.area};
-    }
-    const Vec3 n = sample_uniform_sphere<Object>(u[0], u[1]).v;
-    const Vec3 point = entry.world_from_object(Point<Object>{n * entry.object_radius}).v;
-    return {point, entry.world_from_object(Normal<Object>{n}).v, pdf_area(entry, point)};
+LightSet::Shares LightSet::shares(const Receiver& receiver) const {
+    if (beams_.empty() && infinite_.empty()) return {1.0, 0.0, 0.0};
+    if (beams_.empty() && tree_->empty()) return {0.0, 0.0, 1.0};
+    Shares shares{tree_->irradiance(receiver), beam_irradiance(receiver), far_irradiance_};
+    const double sum = shares.near + shares.beams + shares.far;
+    if (!(sum > 0.0)) return {0.0, 0.0, infinite_.empty() ? 0.0 : 1.0};
+    const int groups = (shares.near > 0.0) + (shares.beams > 0.0) + (shares.far > 0.0);
+    for (double* share : {&shares.near, &shares.beams, &shares.far})
+        if (*share > 0.0) *share = (1.0 - kEvenShare) * *share / sum + kEvenShare / groups;
+    return shares;
 }
 
-/// Density per area of the world at a point of a light's surface.
-double LightSet::pdf_area(const Entry& entry, Vec3 point) {
-    if (entry.kind == Kind::triangles || entry.kind == Kind::disc) return 1.0 / entry.area;
-    // An ellipsoid's area element is |det A| |A⁻ᵀ n| times that of its sphere.
-    const Affine object_from_world = entry.world_from_object.inverse().affine();
-    const Vec3 n = normalised(object_from_world.apply(point));
-    const auto& m = object_from_world.m;
-    const Vec3 stretched{m[0][0] * n.x + m[1][0] * n.y + m[2][0] * n.z,
-                         m[0][1] * n.x + m[1][1] * n.y + m[2][1] * n.z,
-                         m[0][2] * n.x + m[1][2] * n.y + m[2][2] * n.z};
-    const double stretch =
-        std::abs(entry.world_from_object.affine().determinant()) * length(stretched);
-    const Vec3 local = object_from_world.apply(point);
-    return 1.0 / (4.0 * kPi * dot(local, local) * stretch);
-}
-
-std::optional<LightSample> LightSet::sample(Vec3 from, double u_choice,
+std::optional<LightSample> LightSet::sample(const Receiver& receiver, double u_choice,
                                             std::array<double, 2> u) const {
-    if (lights_.empty()) return std::nullopt;
-    const int light = int(choose_->sample(u_choice).index);
-    const Entry& entry = lights_[std::size_t(light)];
-    LightSample s;
-    s.light = light;
-    const double chosen = choice(light);
-    switch (entry.kind) {
-        case Kind::point:
-        case Kind::spot: {
-            const Vec3 to_light = entry.position - from;
-            s.distance = length(to_light);
-            if (!(s.distance > 0.0)) return std::nullopt;
-            s.direction = to_light / s.distance;
-            s.without_extent = true;
-            s.pdf = chosen;
-            s.factor = 1.0 / dot(to_light, to_light);
-            if (entry.kind == Kind::spot) {
-                const double cosine = -dot(s.direction, entry.axis);
-                const double inside =
-                    std::clamp(cosine * entry.cos_scale + entry.cos_offset, 0.0, 1.0);
-                s.factor *= inside * inside;
-            }
-            if (s.factor == 0.0) return std::nullopt;
-            return s;
-        }
-        case Kind::distant:
-            s.distance = kInfinity;
-            if (entry.cone_width == 0.0) {
-                s.direction = entry.axis;
-                s.without_extent = true;
-                s.pdf = chosen;
-            } else {
-                s.direction = around(Dir<World>{entry.axis},
-                                     sample_uniform_cone(entry.cone_width, u[0], u[1]))
-                                  .v;
-                s.pdf = chosen * pdf_uniform_cone(entry.cone_width);
-            }
-            return s;
-        case Kind::uniform:
-            s.distance = kInfinity;
-            s.direction = sample_uniform_sphere<World>(u[0], u[1]).v;
-            s.pdf = chosen * pdf_uniform_sphere();
-            return s;
-        case Kind::image: {
-            const EnvironmentMap::Sample e = entry.map->sample(u);
-            if (!(e.pdf > 0.0)) return std::nullopt;
-            s.distance = kInfinity;
-            s.direction = e.direction;
-            s.pdf = chosen * e.pdf;
-            return s;
-        }
-        case Kind::sphere: {
-            const Vec3 centre = entry.position - from;
-            const std::optional<double> width = seen_width(centre, entry.radius);
-            if (width) {
-                s.direction =
-                    around(Dir<World>{normalised(centre)}, sample_uniform_cone(*width, u[0], u[1]))
-                        .v;
-                s.distance = distance_to_sphere(centre, entry.radius, s.direction);
-                s.pdf = chosen * pdf_uniform_cone(*width);
-                return s;
-            }
-            [[fallthrough]];
-        }
-        default: {
-            const SurfacePoint p = sample_surface(entry, u);
-            const Vec3 to_light = p.position - from;
-            s.distance = length(to_light);
-            if (!(s.distance > 0.0)) return std::nullopt;
-            s.direction = to_light / s.distance;
-            const double cosine = -dot(s.direction, p.normal);
-            if (cosine == 0.0 || (cosine < 0.0 && !entry.two_sided)) return std::nullopt;
-            s.pdf = chosen * p.pdf_area * s.distance * s.distance / std::abs(cosine);
-            return s;
-        }
+    const Shares share = shares(receiver);
+    std::optional<LightSample> sample;
+    if (u_choice < share.near) {
+        sample = sample_near(receiver, stretched(u_choice, 0.0, share.near), u);
+        if (sample) sample->pdf *= share.near;
+    } else if (u_choice < share.near + share.beams) {
+        sample = sample_beam(receiver, stretched(u_choice, share.near, share.beams));
+        if (sample) sample->pdf *= share.beams;
+    } else if (share.far > 0.0) {
+        sample = sample_far(stretched(u_choice, share.near + share.beams, share.far), u);
+        if (sample) sample->pdf *= share.far;
     }
+    return sample;
+}
+
+std::optional<LightSample> LightSet::sample_near(const Receiver& receiver, double u_choice,
+                                                 std::array<double, 2> u) const {
+    const auto choice = tree_->sample(receiver, u_choice);
+    if (!choice) return std::nullopt;
+    const Leaf& leaf = leaves_[std::size_t(choice->light)];
+    if (leaf.source == LightSample::Source::punctual) {
+        const auto arrival = punctual_[std::size_t(leaf.index)].arrival(receiver.position);
+        if (!arrival) return std::nullopt;
+        return from_arrival(leaf.source, leaf.index, *arrival, choice->probability);
+    }
+    const auto s = shapes_[std::size_t(leaf.index)].sample(leaf.part, receiver.position, u);
+    if (!s) return std::nullopt;
+    LightSample sample{leaf.source, leaf.index, s->direction, s->distance,
+                       choice->probability * s->pdf};
+    const Glow& glow = shapes_[std::size_t(leaf.index)].glow();
+    if (!glow.varies()) return sample;
+    const SurfaceCoordinates at = shapes_[std::size_t(leaf.index)].coordinates(*s);
+    sample.factor = glow.alpha(at);
+    if (sample.factor == 0.0) return std::nullopt;
+    if (glow.coloured()) sample.colour = glow.colour(at);
+    return sample;
+}
+
+std::optional<LightSample> LightSet::sample_beam(const Receiver& receiver, double u_choice) const {
+    const double sum = beam_irradiance(receiver);
+    double target = u_choice * sum;
+    int last = -1;  // rounding may leave a rest
+    for (std::size_t i = 0; i < beams_.size() && target >= 0.0; ++i) {
+        const double here = beams_[i].irradiance(receiver);
+        if (!(here > 0.0)) continue;
+        last = int(i);
+        target -= here;
+    }
+    if (last < 0) return std::nullopt;
+    const Beam& beam = beams_[std::size_t(last)];
+    return from_arrival(LightSample::Source::beam, last, *beam.arrival(receiver.position),
+                        beam.irradiance(receiver) / sum);
+}
+
+std::optional<LightSample> LightSet::sample_far(double u_choice, std::array<double, 2> u) const {
+    const std::size_t index = choose_far_->sample(u_choice).index;
+    const auto s = infinite_[index].sample(u);
+    if (!s) return std::nullopt;
+    return LightSample{LightSample::Source::infinite,
+                       int(index),
+                       s->direction,
+                       kInfinity,
+                       choose_far_->probability(index) * s->pdf,
+                       1.0,
+                       infinite_[index].parallel()};
 }
 
 void LightSet::radiance(const LightSample& sample, const LaneSet& lanes, RgbLightLanes& rgb,
                         LaneValues& out) const {
-    const Entry& entry = lights_[std::size_t(sample.light)];
-    if (entry.kind == Kind::image) {
-        rgb.eval(entry.map->radiance(sample.direction), lanes, out);
+    const auto index = std::size_t(sample.index);
+    if (sample.source == LightSample::Source::infinite) {
+        infinite_[index].radiance(sample.direction, lanes, rgb, out);
         return;
     }
-    entry.spectrum->eval_lanes(lanes.lambdas(), out.first(lanes.count));
-    double factor = sample.factor;
-    if (entry.kind == Kind::distant && entry.cone_width > 0.0)
-        factor = radiance_of_disc(entry.cone_width);
-    if (factor != 1.0)
-        for (int k = 0; k < lanes.count; ++k) out[k] *= factor;
+    const std::span<double> values = out.first(lanes.count);
+    if (sample.source == LightSample::Source::punctual)
+        punctual_[index].spectrum().eval_lanes(lanes.lambdas(), values);
+    else if (sample.source == LightSample::Source::beam)
+        beams_[index].spectrum().eval_lanes(lanes.lambdas(), values);
+    else if (shapes_[index].glow().coloured())
+        rgb.eval(sample.colour, lanes, out);
+    else
+        shapes_[index].glow().spectrum().eval_lanes(lanes.lambdas(), values);
+    if (sample.factor != 1.0)
+        for (int k = 0; k < lanes.count; ++k) out[k] *= sample.factor;
 }
 
 bool LightSet::emits(const Hit& hit, Vec3 direction) const {
-    const int light = light_of_shape_[std::size_t(hit.shape)];
-    if (light < 0) return false;
-    return lights_[std::size_t(light)].two_sided || dot(direction, hit.normal) < 0.0;
+    const int glowing = glowing_of_shape_[std::size_t(hit.shape)];
+    return glowing >= 0 && shapes_[std::size_t(glowing)].shines(direction, hit.normal);
 }
 
-void LightSet::emission(const Hit& hit, const LaneSet& lanes, LaneValues& out) const {
-    const Entry& entry = lights_[std::size_t(light_of_shape_[std::size_t(hit.shape)])];
-    entry.spectrum->eval_lanes(lanes.lambdas(), out.first(lanes.count));
+const Glow& LightSet::glow_at(const Hit& hit) const {
+    return shapes_[std::size_t(glowing_of_shape_[std::size_t(hit.shape)])].glow();
 }
 
-double LightSet::pdf_of_hit(Vec3 from, Vec3 direction, const Hit& hit) const {
-    const int light = light_of_shape_[std::size_t(hit.shape)];
-    const Entry& entry = lights_[std::size_t(light)];
-    if (entry.kind == Kind::sphere)
-        if (const auto width = seen_width(entry.position - from, entry.radius))
-            return choice(light) * pdf_uniform_cone(*width);
-    const double cosine = std::abs(dot(direction, hit.normal));
-    if (cosine == 0.0) return 0.0;
-    return choice(light) * pdf_area(entry, from + direction * hit.t) * hit.t * hit.t / cosine;
+void LightSet::emission(const Hit& hit, const SurfaceCoordinates& at, const LaneSet& lanes,
+                        RgbLightLanes& rgb, LaneValues& out) const {
+    const Glow& glow = glow_at(hit);
+    if (glow.coloured())
+        rgb.eval(glow.colour(at), lanes, out);
+    else
+        glow.spectrum().eval_lanes(lanes.lambdas(), out.first(lanes.count));
+}
+
+double LightSet::pdf_of_hit(const Receiver& receiver, Vec3 direction, const Hit& hit) const {
+    const auto glowing = std::size_t(glowing_of_shape_[std::size_t(hit.shape)]);
+    const int part = shapes_[glowing].part_of(hit, receiver.position + direction * hit.t);
+    const double chosen =
+        shares(receiver).near * tree_->probability(receiver, first_leaf_[glowing] + part);
+    if (chosen == 0.0) return 0.0;
+    return chosen * shapes_[glowing].pdf(part, receiver.position, direction, hit);
 }
 
 bool LightSet::infinite_radiance(int i, Vec3 direction, const LaneSet& lanes, RgbLightLanes& rgb,
                                  LaneValues& out) const {
-    const int light = infinite_[std::size_t(i)];
-    const Entry& entry = lights_[std::size_t(light)];
-    if (entry.kind == Kind::distant) {
-        // |a − b|² / 2 = 1 − cos of the angle between them, without cancellation.
-        const Vec3 apart = direction - entry.axis;
-        if (0.5 * dot(apart, apart) > entry.cone_width) return false;
-    }
-    LightSample sample;
-    sample.light = light;
-    sample.direction = direction;
-    radiance(sample, lanes, rgb, out);
+    const InfiniteLight& light = infinite_[std::size_t(i)];
+    if (!light.shows(direction)) return false;
+    light.radiance(direction, lanes, rgb, out);
     return true;
 }
 
-double LightSet::pdf_of_infinite(int i, Vec3 direction) const {
-    const int light = infinite_[std::size_t(i)];
-    const Entry& entry = lights_[std::size_t(light)];
-    if (entry.kind == Kind::image) return choice(light) * entry.map->pdf(direction);
-    if (entry.kind == Kind::uniform) return choice(light) * pdf_uniform_sphere();
-    return choice(light) * pdf_uniform_cone(entry.cone_width);
+double LightSet::pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction) const {
+    return shares(receiver).far * choose_far_->probability(std::size_t(i)) *
+           infinite_[std::size_t(i)].pdf(direction);
 }
 
 }  // namespace dewbow

@@ -1,36 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// All lights of a scene, chosen and sampled for direct light.
+// All lights of a scene, chosen and sampled for direct light. Glowing shapes, points, spots and
+// profiles are chosen by a tree; beside it stand the beams that a point lies in, and what is
+// infinitely far.
 
 #include <optional>
 
 #include "dewbow/math/distribution.h"
-#include "dewbow/render/environment.h"
-#include "dewbow/render/ray.h"
-#include "dewbow/render/rgb_lanes.h"
-#include "dewbow/scene/scene.h"
+#include "dewbow/render/glowing_shape.h"
+#include "dewbow/render/infinite_light.h"
+#include "dewbow/render/light_tree.h"
+#include "dewbow/render/punctual_light.h"
 
 namespace dewbow {
 
 /// A direction towards a light.
 struct LightSample {
-    int light = -1;
+    enum class Source { shape, punctual, beam, infinite };
+    Source source = Source::shape;
+    int index = 0;  ///< among those of its source, in the scene's order
     Vec3 direction;
     double distance = 0.0;  ///< infinite for what is infinitely far
     /// Density per steradian, choice of the light included. A light without extent has the density
     /// of its choice alone, and `factor` holds what distance and cone make of its intensity.
     double pdf = 0.0;
+    /// Of a surface it holds how much of that is there.
     double factor = 1.0;
     bool without_extent = false;
+    Colour<LinearSrgb> colour{};  ///< of a surface that glows in colours
 };
 
 class LightSet {
 public:
     explicit LightSet(const Scene& scene);
 
-    /// A direction from `from` to some light: nothing if the one chosen is not visible from there.
-    std::optional<LightSample> sample(Vec3 from, double u_choice, std::array<double, 2> u) const;
+    /// A direction from `receiver` to some light: nothing if the one chosen is not visible from
+    /// there.
+    std::optional<LightSample> sample(const Receiver& receiver, double u_choice,
+                                      std::array<double, 2> u) const;
     /// Radiance (for lights without extent: irradiance on a surface that faces it, per pdf) that
     /// arrives by `sample`.
     void radiance(const LightSample& sample, const LaneSet& lanes, RgbLightLanes& rgb,
@@ -38,52 +46,55 @@ public:
 
     /// Whether the surface of `hit` gives off light to where the ray along `direction` comes from.
     bool emits(const Hit& hit, Vec3 direction) const;
-    /// Radiance of the emitting surface at `hit`.
-    void emission(const Hit& hit, const LaneSet& lanes, LaneValues& out) const;
+    /// Whether its radiance differs from place to place.
+    bool emission_varies(const Hit& hit) const { return glow_at(hit).varies(); }
+    /// Radiance of the emitting surface at `hit`, which is `at` if it varies.
+    void emission(const Hit& hit, const SurfaceCoordinates& at, const LaneSet& lanes,
+                  RgbLightLanes& rgb, LaneValues& out) const;
     /// Density with which sample() would have taken this direction to the emitting surface at
-    /// `hit`.
-    double pdf_of_hit(Vec3 from, Vec3 direction, const Hit& hit) const;
+    /// `hit`, which is hit.t from the receiver.
+    double pdf_of_hit(const Receiver& receiver, Vec3 direction, const Hit& hit) const;
 
-    /// The lights that are infinitely far and can be seen.
+    /// The lights that are infinitely far.
     int infinite_count() const { return int(infinite_.size()); }
     /// Radiance of the `i`-th of them along `direction`; false if it is not there.
     bool infinite_radiance(int i, Vec3 direction, const LaneSet& lanes, RgbLightLanes& rgb,
                            LaneValues& out) const;
-    double pdf_of_infinite(int i, Vec3 direction) const;
+    double pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction) const;
 
 private:
-    enum class Kind { triangles, disc, sphere, ellipsoid, point, spot, distant, uniform, image };
-    struct Entry {
-        Kind kind = Kind::point;
-        SpectrumPtr spectrum;
-        int shape = -1;
-        bool two_sided = false;
-        double area = 0.0;           // triangles, disc
-        double power = 0.0;          // relative, for the choice
-        Vec3 position, axis;         // of spots, distant lights, spheres
-        double radius = 0.0;         // of spheres in the world's frame, of discs in their own
-        double object_radius = 0.0;  // of spheres and ellipsoids in their own frame
-        double cone_width = 0.0;     // 1 − cos of the half angle: distant
-        double cos_scale = 0.0, cos_offset = 0.0;
-        std::vector<std::array<Vec3, 3>> corners;
-        std::optional<Distribution1D> by_area;
-        std::optional<EnvironmentMap> map;
-        Transform<World, Object> world_from_object;
+    /// Of the choices at one receiver, what falls on each group of lights; they sum to 1, or are
+    /// all 0.
+    struct Shares {
+        double near = 0.0;  ///< the tree
+        double beams = 0.0;
+        double far = 0.0;
     };
-    struct SurfacePoint {
-        Vec3 position, normal;
-        double pdf_area;
+    /// What the tree chooses.
+    struct Leaf {
+        LightSample::Source source;
+        int index, part;
     };
-    void add_shape_light(const Scene& scene, int shape);
-    void add_light(const Light& light, double scene_radius);
-    static SurfacePoint sample_surface(const Entry& entry, std::array<double, 2> u);
-    static double pdf_area(const Entry& entry, Vec3 point);
-    double choice(int light) const { return choose_->probability(std::size_t(light)); }
+    void add_shape(const Scene& scene, int shape);
+    const Glow& glow_at(const Hit& hit) const;
+    void build_tree();
+    Shares shares(const Receiver& receiver) const;
+    double beam_irradiance(const Receiver& receiver) const;
+    std::optional<LightSample> sample_near(const Receiver& receiver, double u_choice,
+                                           std::array<double, 2> u) const;
+    std::optional<LightSample> sample_beam(const Receiver& receiver, double u_choice) const;
+    std::optional<LightSample> sample_far(double u_choice, std::array<double, 2> u) const;
 
-    std::vector<Entry> lights_;
-    std::vector<int> infinite_;
-    std::vector<int> light_of_shape_;
-    std::optional<Distribution1D> choose_;
+    std::vector<GlowingShape> shapes_;
+    std::vector<int> glowing_of_shape_;  ///< one a shape of the scene: index into shapes_, or −1
+    std::vector<int> first_leaf_;        ///< of each glowing shape
+    std::vector<PunctualLight> punctual_;
+    std::vector<Beam> beams_;
+    std::vector<InfiniteLight> infinite_;
+    double far_irradiance_ = 0.0;
+    std::vector<Leaf> leaves_;
+    std::optional<LightTree> tree_;
+    std::optional<Distribution1D> choose_far_;
 };
 
 }  // namespace dewbow

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dewbow/math/transform.h"
+#include "dewbow/scene/photometric_web.h"
 #include "dewbow/spectrum/colour.h"
 #include "dewbow/spectrum/spectrum.h"
 
@@ -25,6 +26,22 @@ struct SpotLight {
     Dir<World> direction;
     Angle inner, outer;     ///< from the axis, 0 <= inner < outer <= 90°
     SpectrumPtr intensity;  ///< on the axis, W sr⁻¹ nm⁻¹
+};
+
+/// A point light whose intensity differs from direction to direction, as measured.
+struct ProfileLight {
+    Point<World> position;
+    Transform<World, Object> world_from_object;  ///< a rotation: how the web is turned
+    std::shared_ptr<const PhotometricWeb> web;
+    SpectrumPtr intensity_per_cd;  ///< W sr⁻¹ nm⁻¹ where the web says 1 cd
+};
+
+/// Parallel light in a cylinder that begins at a disc and never ends: a laser, a collimator.
+struct BeamLight {
+    Point<World> position;  ///< of the disc's centre
+    Dir<World> direction;   ///< in which the light travels, and the disc's normal
+    Length radius;
+    SpectrumPtr irradiance;  ///< on a surface that faces the light, W m⁻² nm⁻¹
 };
 
 /// Light from infinitely far: all directions within `angular_radius` of −direction, evenly.
@@ -49,7 +66,7 @@ struct ImageEnvironment {
     Transform<World, Object> world_from_object;  ///< a rotation
 };
 
-using Light = std::variant<PointLight, SpotLight, DistantLight, UniformEnvironment,
-                           std::shared_ptr<const ImageEnvironment>>;
+using Light = std::variant<PointLight, SpotLight, ProfileLight, BeamLight, DistantLight,
+                           UniformEnvironment, std::shared_ptr<const ImageEnvironment>>;
 
 }  // namespace dewbow

@@ -25,6 +25,18 @@ struct CheckLight {
         if (!(light.inner < light.outer)) fail(who, "the inner angle must be less than the outer");
         check_spectrum(who, "intensity", light.intensity);
     }
+    void operator()(const ProfileLight& light) const {
+        check_finite(who, "position", light.position.v);
+        check_affine(who, light.world_from_object.affine());
+        if (!light.web) fail(who, "its photometric web is missing");
+        check_spectrum(who, "intensity per candela", light.intensity_per_cd);
+    }
+    void operator()(const BeamLight& light) const {
+        check_finite(who, "position", light.position.v);
+        check_unit(who, "direction", light.direction.v);
+        check_positive(who, "the radius in metres", light.radius.to(unit::m));
+        check_spectrum(who, "irradiance", light.irradiance);
+    }
     void operator()(const DistantLight& light) const {
         check_unit(who, "direction", light.direction.v);
         check_range(who, "the angular radius in degrees", light.angular_radius.to(unit::deg), 0.0,

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/illuminant.h"
 #include "dewbow/spectrum/lamp.h"
@@ -335,6 +337,26 @@ TEST(SceneTomlLights, EachType) {
     const auto& studio = *std::get<std::shared_ptr<const ImageEnvironment>>(lights.at(3));
     EXPECT_EQ(studio.scale, 0.5);
     expect_near(studio.world_from_object(Dir<Object>{{0, 0, -1}}).v, {-1, 0, 0});
+}
+
+/// Power of the whole disc, and flux of the whole web, are what the file says.
+TEST(SceneToml, BeamsAndProfilesHaveTheirPower) {
+    constexpr double kLines = 1e-3;  // steps of the quadrature across the edges of a line
+    const ParsedScene parsed = parse(R"(
+        [[lights]]
+        type = "beam"
+        position_mm = [0, 100, 0]
+        direction = [0, -2, 0]
+        radius_mm = 3
+        power_W = 0.005
+        spectrum = { lines_nm = [532], strengths = [7] }
+    )");
+    const auto& beam = std::get<BeamLight>(parsed.scene.lights.at(0));
+    double power = 0.0;
+    for (int i = 0; i < 4000; ++i)
+        power += (*beam.irradiance)((530.0 + (i + 0.5) * 1e-3) * unit::nm) * 1e-3;
+    EXPECT_NEAR(power * std::numbers::pi * 9e-6 / 0.005, 1.0, kLines);
+    expect_near(beam.direction.v, {0, -1, 0});
 }
 
 }  // namespace

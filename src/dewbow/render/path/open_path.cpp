@@ -35,7 +35,7 @@ void Tracer::trace_open(OpenPath path) {
             if (prepared_.lights.emits(hit, path.rays.direction(k))) {
                 const SharedPath lane = lane_of(path, k);
                 add_emission(lane.lanes, lane.beta, lane.ray, hit, lane.from_specular,
-                             lane.last_pdf, lane.last_position, lane.media);
+                             lane.last_pdf, lane.last_receiver, lane.media);
             }
         }
         if (path.depth >= settings_.max_depth) return;
@@ -71,7 +71,7 @@ void Tracer::trace_open(OpenPath path) {
 void Tracer::open_missed(OpenPath& path, int k) {
     const SharedPath lane = lane_of(path, k);
     add_infinite(lane.lanes, lane.beta, lane.ray.direction, lane.from_specular, lane.last_pdf,
-                 lane.media);
+                 lane.last_receiver, lane.media);
     path.active &= ~(1u << k);
 }
 
@@ -184,7 +184,7 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
         path.rays.set(k, vertex.leave(direction));
         path.from_specular[i] = false;
         path.last_pdf[k] = value.pdf;
-        path.last_position[i] = vertex.position;
+        path.last_receiver[i] = vertex.receiver(true);
         path.active |= 1u << k;
         refracted |= LaneMask(!reflects) << k;
     }

@@ -32,26 +32,31 @@ void Tracer::add(const LaneSet& lanes, const LaneValues& beta, const LaneValues&
 }
 
 void Tracer::add_infinite(const LaneSet& lanes, const LaneValues& beta, Vec3 direction,
-                          bool specular, double pdf, MediaStack media) {
+                          bool specular, double pdf, const Receiver& from, MediaStack media) {
     const LightSet& lights = prepared_.lights;
     LaneValues radiance;
     for (int i = 0; i < lights.infinite_count(); ++i) {
         if (!lights.infinite_radiance(i, direction, lanes, rgb_.light, radiance)) continue;
         const double weight =
-            specular ? 1.0 : power_heuristic(pdf, lights.pdf_of_infinite(i, direction));
+            specular ? 1.0 : power_heuristic(pdf, lights.pdf_of_infinite(from, i, direction));
         add(lanes, beta, radiance, weight, media);
     }
 }
 
 void Tracer::add_emission(const LaneSet& lanes, const LaneValues& beta, const Ray& ray,
-                          const Hit& hit, bool specular, double pdf, Vec3 from, MediaStack media) {
+                          const Hit& hit, bool specular, double pdf, const Receiver& from,
+                          MediaStack media) {
     LaneValues radiance;
-    prepared_.lights.emission(hit, lanes, radiance);
+    const LightSet& lights = prepared_.lights;
+    SurfaceCoordinates at;
+    if (lights.emission_varies(hit))
+        at = prepared_.accelerator.coordinates(hit, ray.origin + ray.direction * hit.t);
+    lights.emission(hit, at, lanes, rgb_.light, radiance);
     double weight = 1.0;
     if (!specular) {
         Hit seen_from = hit;
-        seen_from.t = length(ray.origin + ray.direction * hit.t - from);
-        weight = power_heuristic(pdf, prepared_.lights.pdf_of_hit(from, ray.direction, seen_from));
+        seen_from.t = length(ray.origin + ray.direction * hit.t - from.position);
+        weight = power_heuristic(pdf, lights.pdf_of_hit(from, ray.direction, seen_from));
     }
     add(lanes, beta, radiance, weight, media);
 }
@@ -62,8 +67,9 @@ template <class Eval>
 void Tracer::direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides,
                           Eval&& eval) {
     const std::uint32_t at = vertex_key(path.depth, path.branch);
-    const std::optional<LightSample> light = prepared_.lights.sample(
-        vertex.position, key_.one(at, Purpose::light_choice), key_.two(at, Purpose::light_point));
+    const std::optional<LightSample> light =
+        prepared_.lights.sample(vertex.receiver(both_sides), key_.one(at, Purpose::light_choice),
+                                key_.two(at, Purpose::light_point));
     if (!light || !(light->pdf > 0.0)) return;
     const double side = dot(light->direction, vertex.geometric);
     if (side == 0.0 || (side < 0.0 && !both_sides)) return;

@@ -73,12 +73,12 @@ void Tracer::trace(SharedPath path) {
         if (hit) absorb(path.lanes, path.beta, path.media, hit.t);
         if (!hit) {
             add_infinite(path.lanes, path.beta, path.ray.direction, path.from_specular,
-                         path.last_pdf, path.media);
+                         path.last_pdf, path.last_receiver, path.media);
             return;
         }
         if (prepared_.lights.emits(hit, path.ray.direction))
             add_emission(path.lanes, path.beta, path.ray, hit, path.from_specular, path.last_pdf,
-                         path.last_position, path.media);
+                         path.last_receiver, path.media);
         const int depth = path.depth;
         if (depth >= settings_.max_depth || !interact(path, hit)) return;
         // A surface that is none costs no depth, and its random numbers were used before it.
@@ -138,7 +138,7 @@ bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& mat
     path.from_specular = false;
     path.scattered = true;
     path.last_pdf = pdf;
-    path.last_position = vertex.position;
+    path.last_receiver = vertex.receiver(ScatteringSurface::transmits(material));
     ++path.depth;
     return true;
 }
@@ -295,7 +295,7 @@ bool Tracer::rough(SharedPath& path, const Hit& hit, const Dielectric& glass, in
     open.media.fill(path.media);
     open.from_specular.fill(path.from_specular);
     open.last_pdf.v.fill(path.last_pdf);
-    open.last_position.fill(path.last_position);
+    open.last_receiver.fill(path.last_receiver);
     for (int k = 0; k < path.lanes.count; ++k) open.rays.set(k, path.ray);
     HitLanes hits;
     hits.fill(hit);

@@ -168,7 +168,7 @@ SharedPath Tracer::lane_of(const OpenPath& path, int k) const {
     lane.split = true;
     lane.from_specular = path.from_specular[i];
     lane.last_pdf = path.last_pdf[k];
-    lane.last_position = path.last_position[i];
+    lane.last_receiver = path.last_receiver[i];
     return lane;
 }
 

@@ -54,7 +54,7 @@ struct SharedPath {
     // The last scattering, for the weight of light that is found by chance.
     bool from_specular = true;
     double last_pdf = 0.0;
-    Vec3 last_position;
+    Receiver last_receiver;
 };
 
 /// Lanes on rays of their own.
@@ -68,7 +68,7 @@ struct OpenPath {
     std::uint32_t branch = 0;
     std::array<bool, kMaxLanes> from_specular{};
     LaneValues last_pdf;
-    std::array<Vec3, kMaxLanes> last_position;
+    std::array<Receiver, kMaxLanes> last_receiver;
 };
 
 /// A surface as a ray meets it.
@@ -81,6 +81,10 @@ struct Vertex {
     int shape = -1, primitive = -1;
     SurfaceCoordinates at;  ///< for textures; set where the material has any
 
+    /// Of light from the side of wo, or from both.
+    Receiver receiver(bool both_sides) const {
+        return both_sides ? Receiver{position} : Receiver{position, shading};
+    }
     /// A ray that leaves along `direction`.
     Ray leave(Vec3 direction) const {
         const double side = dot(direction, geometric);
@@ -156,9 +160,9 @@ private:
     void add(const LaneSet& lanes, const LaneValues& beta, const LaneValues& radiance,
              double weight, MediaStack media);
     void add_infinite(const LaneSet& lanes, const LaneValues& beta, Vec3 direction, bool specular,
-                      double pdf, MediaStack media);
+                      double pdf, const Receiver& from, MediaStack media);
     void add_emission(const LaneSet& lanes, const LaneValues& beta, const Ray& ray, const Hit& hit,
-                      bool specular, double pdf, Vec3 from, MediaStack media);
+                      bool specular, double pdf, const Receiver& from, MediaStack media);
     template <class Eval>
     void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, Eval&& eval);
     void direct_scattered(const SharedPath& path, const Vertex& vertex, const LocalFrame& frame,
