@@ -95,8 +95,8 @@ TEST(LightTree, ChoosesByItsProbabilities) {
     }
 }
 
-/// Every light that arrives can be chosen; black ones never are. (With kRim = 0 and no least
-/// cosine, or with the receiver's cosine taken to the ball's centre, it turns red.)
+/// Every light that arrives can be chosen; black ones never are. (With the cosine at the receiver,
+/// or that at the light, taken to the centre of the ball alone, it turns red.)
 TEST(LightTree, StarvesNoLight) {
     const std::vector<SpotLight> spots = random_spots(1000);
     const LightTree tree(bounds_of(spots));
