@@ -70,10 +70,6 @@ void apply_options(const RenderCommand& command, Scene& scene) {
     const auto set = [](auto& value, const auto& wish) {
         if (wish) value = *wish;
     };
-    if (command.size) {
-        scene.film.width = command.size->width;
-        scene.film.height = command.size->height;
-    }
     if (command.exposure_stops || command.automatic_exposure)
         scene.film.exposure =
             command.automatic_exposure ? ExposureMode::automatic : ExposureMode::fixed;
@@ -97,7 +93,9 @@ void print_diagnostics(const Diagnostics& diagnostics) {
 }
 
 Scene load(const RenderCommand& command) {
-    ImportedScene imported = load_scene(command.scene_file, command.load);
+    LoadOptions options = command.load;
+    if (command.size) options.width = command.size->width, options.height = command.size->height;
+    ImportedScene imported = load_scene(command.scene_file, options);
     print_diagnostics(imported.diagnostics);
     apply_options(command, imported.scene);
     validate_view(imported.scene);

@@ -38,10 +38,9 @@ struct SmallPicture {
 
 /// Expects that no sample is invalid.
 inline SmallPicture render_small(const std::filesystem::path& file, int width, int height,
-                                 int samples, const LoadOptions& options = {}) {
+                                 int samples, LoadOptions options = {}) {
+    options.width = width, options.height = height;
     ImportedScene imported = load_scene(file, options);
-    imported.scene.film.width = width;
-    imported.scene.film.height = height;
     imported.scene.film.spectral_bins = 0;
     imported.scene.render.samples_per_pixel = samples;
     FilmSums film = make_film(imported.scene, {});

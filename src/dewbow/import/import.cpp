@@ -126,6 +126,8 @@ ImportedScene load_scene(const std::filesystem::path& path, const LoadOptions& o
     override_glasses(parsed.scene, options.glasses, parsed.diagnostics);
     if (!options.environment.empty())
         override_environment(parsed.scene, options.environment, parsed.diagnostics);
+    if (options.width > 0) parsed.scene.film.width = options.width;
+    if (options.height > 0) parsed.scene.film.height = options.height;
     complete({path.string(), 0, 0, {}}, options, parsed);
     try {
         validate(parsed.scene);

@@ -21,6 +21,8 @@ struct GlassOverride {
 struct LoadOptions {
     /// Name of the camera that takes the picture; empty: the file's own choice, or else its first.
     std::string camera{};
+    /// Of the picture, in pixels; 0 = as the file says. A scene without a camera is framed for it.
+    int width = 0, height = 0;
     /// The frame of a glTF file's animations that is shown; none: at rest.
     std::optional<double> frame{};
     double frames_per_second = 24.0;

@@ -66,6 +66,21 @@ TEST_F(ImportTest, AMeshAloneIsGreyInTheStudio) {
     EXPECT_EQ(scene.camera.name, "framed");
 }
 
+/// The sides of a narrow picture are nearer: the camera must stand further away.
+TEST_F(ImportTest, ASceneIsFramedForThePicturesSize) {
+    const std::string file = write("a.obj", kTriangle);
+    LoadOptions narrow;
+    narrow.width = 100, narrow.height = 400;
+    const Scene wide_scene = load_scene(file).scene, narrow_scene = load_scene(file, narrow).scene;
+    EXPECT_EQ(narrow_scene.film.width, 100);
+    EXPECT_EQ(narrow_scene.film.height, 400);
+    const auto distance = [](const Scene& scene) {
+        return length(scene.camera.world_from_camera(Point<Camera>{}).v -
+                      bounds_of(scene).centre());
+    };
+    EXPECT_GT(distance(narrow_scene), 2.0 * distance(wide_scene));
+}
+
 TEST_F(ImportTest, TheStudioSuitsTheFilmsWhite) {
     const auto imported = load_scene(write("a.gltf", gltf_test::text_of({})));
     ASSERT_NE(studio_of(imported.scene), nullptr);
