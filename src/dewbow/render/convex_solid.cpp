@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "dewbow/render/simd.h"
+#include "dewbow/base/simd.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define DEWBOW_X86

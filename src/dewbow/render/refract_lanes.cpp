@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dewbow/render/simd.h"
+#include "dewbow/base/simd.h"
 
 namespace dewbow {
 

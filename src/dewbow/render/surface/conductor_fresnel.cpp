@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "dewbow/render/simd.h"
+#include "dewbow/base/simd.h"
 
 namespace dewbow {
 namespace {

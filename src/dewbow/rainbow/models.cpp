@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/rainbow/models.h"
+
+#include <fmt/format.h>
+
+#include "dewbow/base/error.h"
+
+namespace dewbow {
+
+const std::vector<ScatteringModelRow>& scattering_models() {
+    static const std::vector<ScatteringModelRow> rows = {};
+    return rows;
+}
+
+std::unique_ptr<ScatteringModel> make_scattering_model(std::string_view name,
+                                                       const ModelOptions& options) {
+    std::vector<std::string> names;
+    for (const ScatteringModelRow& row : scattering_models()) {
+        if (row.name == name) return row.make(options);
+        names.push_back(row.name);
+    }
+    throw InputError(fmt::format("unknown model \"{}\"", name), hint_for(name, names));
+}
+
+}  // namespace dewbow

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a cloud of drops does to light: one drop's answer, averaged over sizes, shapes and the sun's
+// disc. The table that renderers read.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dewbow/base/quantity.h"
+#include "dewbow/optics/dispersion.h"
+#include "dewbow/rainbow/drop_sizes.h"
+#include "dewbow/rainbow/models.h"
+#include "dewbow/rainbow/scattering.h"
+#include "dewbow/rainbow/sun_disc.h"
+
+namespace dewbow {
+
+/// What drops are made of and what they fall through; both against vacuum. The index that counts is
+/// the quotient, and the wave number is that around the drop.
+struct DropOptics {
+    DispersionPtr drop, around;
+    double extinction = 0.0;  ///< k of the drop against what is around it
+    RelativeIndex index(Wavelength lambda) const { return (*drop)(lambda) / (*around)(lambda); }
+    /// 2πa n_around / λ.
+    double size_parameter(Length radius, Wavelength lambda) const;
+};
+
+struct TableRequest {
+    std::string model = "auto";
+    Orders orders;            ///< empty: all
+    double tolerance = 0.02;  ///< of `auto`
+    DropSizesPtr sizes;
+    DropOptics optics;
+    std::vector<Wavelength> wavelengths;  ///< in vacuum, ascending
+    std::vector<Angle> angles;            ///< scattering angles, ascending
+    SunDisc disc;
+};
+
+/// Phase functions by angle and wavelength, with the cross sections that belong to them.
+struct ScatteringTable {
+    std::vector<Angle> angles;            ///< scattering angles, ascending
+    std::vector<Wavelength> wavelengths;  ///< in vacuum, ascending
+    /// [angle][wavelength]: P of light polarised perpendicular and parallel to the scattering
+    /// plane; their mean integrates to 4π over the sphere. Per 4π sr: radiance = E σ_sca P / 4π a
+    /// drop.
+    std::vector<Intensities> phase;
+    /// [wavelength]: over all drops, weighted by their geometric cross section.
+    std::vector<Efficiencies> efficiencies;
+    Area mean_cross_section;    ///< geometric, πa², of a drop on average
+    std::string report;         ///< what the model chose, and how wrong that may be
+    double stated_error = 0.0;  ///< of the unpolarised P, over the primary bow's peak
+
+    const Intensities& at(std::size_t angle, std::size_t wavelength) const {
+        return phase[angle * wavelengths.size() + wavelength];
+    }
+};
+
+/// Throws InputError for what the model cannot treat.
+ScatteringTable make_scattering_table(const TableRequest& request);
+
+}  // namespace dewbow
