@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include "dewbow/base/error.h"
+#include "dewbow/rainbow/descartes.h"
 
 namespace dewbow {
 
 const std::vector<ScatteringModelRow>& scattering_models() {
-    static const std::vector<ScatteringModelRow> rows = {};
+    static const std::vector<ScatteringModelRow> rows = {
+        {"descartes", "rays of orders 0 to 7 without their phases: any size, no fringes",
+         make_descartes},
+    };
     return rows;
 }
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/rainbow/geometric_flux.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dewbow/base/error.h"
+#include "dewbow/math/quadrature.h"
+
+namespace dewbow {
+namespace {
+
+constexpr Angle kHalfTurn = std::numbers::pi * unit::rad;
+
+/// ε² of both polarisations, from c = cos i alone.
+PolarisedFlux transmitted(double c, double n, int p) {
+    const double n_cos_r = std::sqrt(n * n - 1.0 + c * c);
+    const double rs = (c - n_cos_r) / (c + n_cos_r);
+    const double rp = (n * n * c - n_cos_r) / (n * n * c + n_cos_r);
+    const auto left = [p](double R) {
+        if (p == 0) return R;
+        double T = (1.0 - R) * (1.0 - R);
+        for (int reflection = 1; reflection < p; ++reflection) T *= R;
+        return T;
+    };
+    return {left(rs * rs), left(rp * rp)};
+}
+
+/// ∫ 2b ε² db = ∫ 2c ε² dc between two angles of incidence, `from` the smaller.
+/// The integrand is smooth in c: its nearest poles are at c = −1 / √(n² + 1), that of the Brewster
+/// angle behind the axis.
+PolarisedFlux flux_between(double from, double to, double n, int p) {
+    static const QuadratureRule few = gauss_legendre(5), many = gauss_legendre(48);
+    // Five nodes lose less than 1e-14 on intervals up to this.
+    constexpr double kShort = 0.01;
+    const double c_to = std::cos(to);
+    const double half = std::sin(0.5 * (from + to)) * std::sin(0.5 * (to - from));
+    const QuadratureRule& rule = 2.0 * half < kShort ? few : many;
+    PolarisedFlux sum;
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+        const double c = c_to + half * (1.0 + rule.nodes[k]);
+        const PolarisedFlux T = transmitted(c, n, p);
+        sum.perpendicular += rule.weights[k] * 2.0 * c * T.perpendicular;
+        sum.parallel += rule.weights[k] * 2.0 * c * T.parallel;
+    }
+    return {half * sum.perpendicular, half * sum.parallel};
+}
+
+}  // namespace
+
+std::vector<Angle> cell_edges(std::span<const Angle> theta) {
+    for (std::size_t k = 0; k < theta.size(); ++k) {
+        const double deg = theta[k].to(unit::deg);
+        if (!(theta[k] >= Angle{} && theta[k] <= kHalfTurn))
+            throw InputError(fmt::format("scattering angle {}°; expected 0 to 180°", deg));
+        if (k > 0 && !(theta[k] > theta[k - 1]))
+            throw InputError(fmt::format("scattering angle {}° after {}°; expected ascending ones",
+                                         deg, theta[k - 1].to(unit::deg)));
+    }
+    std::vector<Angle> edges = {Angle{}};
+    for (std::size_t k = 1; k < theta.size(); ++k) edges.push_back(0.5 * (theta[k - 1] + theta[k]));
+    edges.push_back(kHalfTurn);
+    return edges;
+}
+
+SolidAngle cell_solid_angle(Angle from, Angle to) {
+    return 4.0 * std::numbers::pi * sin(0.5 * (from + to)) * sin(0.5 * (to - from)) * unit::sr;
+}
+
+void add_geometric_flux(RelativeIndex n, int p, std::span<const Angle> edges,
+                        std::span<PolarisedFlux> out) {
+    for (const RayBranch& branch : ray_branches(n, p)) {
+        const auto incidence = [&](Angle theta) {
+            return branch.incidence_at(std::clamp(theta, branch.least, branch.greatest))
+                .to(unit::rad);
+        };
+        const auto first = std::upper_bound(edges.begin(), edges.end(), branch.least);
+        std::size_t cell = first == edges.begin() ? 0 : std::size_t(first - edges.begin()) - 1;
+        if (cell + 1 >= edges.size()) continue;
+        double before = incidence(edges[cell]);
+        for (; cell + 1 < edges.size() && edges[cell] < branch.greatest; ++cell) {
+            const double after = incidence(edges[cell + 1]);
+            const auto [low, high] = std::minmax(before, after);
+            const PolarisedFlux flux = flux_between(low, high, n.value, p);
+            out[cell].perpendicular += flux.perpendicular;
+            out[cell].parallel += flux.parallel;
+            before = after;
+        }
+    }
+}
+
+OrderFlux order_flux(RelativeIndex n, int p) {
+    ray_branches(n, p);  // refuses what has none
+    static const QuadratureRule rule = gauss_legendre(64);
+    OrderFlux sum;
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+        const double c = 0.5 * (1.0 + rule.nodes[k]), weight = rule.weights[k] * c;
+        const PolarisedFlux T = transmitted(c, n.value, p);
+        const double cosine = cos(deviation(drop_ray(std::sqrt(1.0 - c * c), n), p));
+        sum.flux.perpendicular += weight * T.perpendicular;
+        sum.flux.parallel += weight * T.parallel;
+        sum.flux_times_cosine.perpendicular += weight * cosine * T.perpendicular;
+        sum.flux_times_cosine.parallel += weight * cosine * T.parallel;
+    }
+    return sum;
+}
+
+Angle angle_without_shift(Angle theta, Angle shift) {
+    constexpr Angle kTaper = 30.0 * unit::deg;
+    const double u = std::clamp(std::min(theta, kHalfTurn - theta) / kTaper, 0.0, 1.0);
+    return std::clamp(theta - u * u * (3.0 - 2.0 * u) * shift, Angle{}, kHalfTurn);
+}
+
+}  // namespace dewbow
