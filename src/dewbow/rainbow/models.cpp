@@ -5,6 +5,7 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/descartes.h"
+#include "dewbow/rainbow/mie/mie_model.h"
 
 namespace dewbow {
 
@@ -12,6 +13,7 @@ const std::vector<ScatteringModelRow>& scattering_models() {
     static const std::vector<ScatteringModelRow> rows = {
         {"descartes", "rays of orders 0 to 7 without their phases: any size, no fringes",
          make_descartes},
+        {"mie", "all waves of a sphere of any index: exact, x from 0.001 to 50000", make_mie},
     };
     return rows;
 }
