@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "dewbow/base/error.h"
+#include "dewbow/rainbow/debye.h"
 #include "dewbow/rainbow/descartes.h"
 #include "dewbow/rainbow/mie/mie_model.h"
 
@@ -13,6 +14,8 @@ const std::vector<ScatteringModelRow>& scattering_models() {
     static const std::vector<ScatteringModelRow> rows = {
         {"descartes", "rays of orders 0 to 7 without their phases: any size, no fringes",
          make_descartes},
+        {"debye", "all waves of a sphere, by orders of light: real index, x from 0.001 to 20000",
+         make_debye},
         {"mie", "all waves of a sphere of any index: exact, x from 0.001 to 50000", make_mie},
     };
     return rows;
