@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/rainbow/debye.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/debye_series.h"
-#include "dewbow/rainbow/mie/partial_waves.h"
+#include "dewbow/rainbow/mie/angular_sum.h"
 
 namespace dewbow {
 namespace {
@@ -16,12 +16,9 @@ namespace {
 Orders checked(Orders orders) {
     std::sort(orders.begin(), orders.end());
     if (!orders.empty() && orders.front() < 0) {
-        throw InputError(fmt::format(
-            "light of order {} does not exist: orders count the chords in the drop, from 0",
-            orders.front()));
+        throw InputError(fmt::format("debye has no order {}; expected 0 or more", orders.front()));
     }
-    const auto twice = std::adjacent_find(orders.begin(), orders.end());
-    if (twice != orders.end()) throw InputError(fmt::format("order {} is named twice", *twice));
+    orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
     return orders;
 }
 
@@ -65,15 +62,14 @@ public:
 private:
     PartialWaves partial_waves(ComplexIndex index, const Drop& drop) const {
         if (!index.is_real()) {
-            throw InputError(
-                fmt::format("the model debye is for drops that do not absorb, not for an "
-                            "index with the imaginary part {}",
-                            index.k),
-                "the model mie takes absorption into account");
+            throw InputError(fmt::format("model \"debye\" is for drops that do not absorb, not for "
+                                         "an index with the imaginary part {}",
+                                         index.k),
+                             "model \"mie\" takes absorption into account");
         }
         if (!drop.is_sphere()) {
-            throw InputError("the model debye is for spheres, not for drops flattened by the air",
-                             "the model uniform_airy takes their shape into account");
+            throw InputError("model \"debye\" is for spheres, and this drop is not one",
+                             "models of rays and Airy's treat flattened drops");
         }
         const DebyeSeries series({index.n}, drop.size_parameter);
         if (orders_.empty()) return series.all();

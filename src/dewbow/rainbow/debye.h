@@ -16,7 +16,7 @@ namespace dewbow {
 /// other efficiencies are those of the sum as it stands, without interference with what is left
 /// out.
 ///
-/// Throws InputError for an order below 0, or twice the same.
+/// Throws InputError for an order below 0; one named twice counts once.
 std::unique_ptr<ScatteringModel> make_debye(const ModelOptions& options);
 
 }  // namespace dewbow

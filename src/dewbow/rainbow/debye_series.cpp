@@ -18,9 +18,8 @@ struct RadialWave {
 
 RadialWave radial_wave(const RiccatiBessel& waves, std::size_t n, double z) {
     // f_n' = f_{n−1} − n f_n / z.                              [Bohren & Huffman 1983, §4.8]
-    const auto slope = [&](const std::vector<double>& f) {
-        return f[n - 1] - double(n) / z * f[n];
-    };
+    const double rate = double(n) / z;
+    const auto slope = [&](const std::vector<double>& f) { return f[n - 1] - rate * f[n]; };
     const double psi_slope = slope(waves.psi);
     return {waves.psi[n], psi_slope, {waves.psi[n], -waves.chi[n]}, {psi_slope, -slope(waves.chi)}};
 }
@@ -34,14 +33,14 @@ std::complex<double> power(std::complex<double> base, int exponent) {
 }
 
 void check_range(RelativeIndex index, double x) {
-    if (!(index.value >= 1.0)) {
+    if (!(x >= kSmallestSize && x <= kLargestDebyeSize)) {
         throw InputError(
-            fmt::format("the Debye series holds for an index of at least 1, not {}", index.value));
+            fmt::format("size parameter {} is outside the Debye series' range {} to {}", x,
+                        kSmallestSize, kLargestDebyeSize));
     }
-    if (!(x >= kSmallestDebyeSize && x <= kLargestDebyeSize)) {
-        throw InputError(
-            fmt::format("the Debye series holds for size parameters from {} to {}, not {}",
-                        kSmallestDebyeSize, kLargestDebyeSize, x));
+    if (!(index.value >= 1.0 && index.value * x <= kLargestInnerSize)) {
+        throw InputError(fmt::format("index {} of a drop: the Debye series expects 1 to {}",
+                                     index.value, kLargestInnerSize / x));
     }
 }
 
@@ -61,6 +60,8 @@ DebyeSeries::DebyeSeries(RelativeIndex index, double size_parameter) {
     const int count = term_count(size_parameter);
     const RiccatiBessel outer = riccati_bessel(size_parameter, count);
     const RiccatiBessel inner = riccati_bessel(inner_size, count);
+    tm_.reserve(std::size_t(count));
+    te_.reserve(std::size_t(count));
     for (std::size_t n = 1; n <= std::size_t(count); ++n) {
         const RadialWave x = radial_wave(outer, n, size_parameter);
         const RadialWave y = radial_wave(inner, n, inner_size);
@@ -68,11 +69,13 @@ DebyeSeries::DebyeSeries(RelativeIndex index, double size_parameter) {
             const Complex inwards = std::conj(y.zeta), inwards_slope = std::conj(y.zeta_slope);
             const Complex outwards = beta * x.zeta, outwards_slope = alpha * x.zeta_slope;
             const Complex delta = outwards_slope * inwards - outwards * inwards_slope;
+            // Not by operator/, which guards against overflow: |Δ| is 1e65 at most, at x = 0.001.
+            const Complex inverse = std::conj(delta) * (1.0 / std::norm(delta));
             return Wave{
-                (alpha * x.psi_slope * inwards - beta * x.psi * inwards_slope) / delta,
-                2.0 * m / (delta * delta),
-                (outwards * y.zeta_slope - outwards_slope * y.zeta) / delta,
-                2.0 * (outwards_slope * y.psi - outwards * y.psi_slope) / delta,
+                (alpha * x.psi_slope * inwards - beta * x.psi * inwards_slope) * inverse,
+                2.0 * m * inverse * inverse,
+                (outwards * y.zeta_slope - outwards_slope * y.zeta) * inverse,
+                2.0 * (outwards_slope * y.psi - outwards * y.psi_slope) * inverse,
             };
         };
         tm_.push_back(wave(m, 1.0));

@@ -17,17 +17,18 @@
 #include <vector>
 
 #include "dewbow/optics/refraction.h"
-#include "dewbow/rainbow/mie/angular_sum.h"
+#include "dewbow/rainbow/mie/partial_waves.h"
 
 namespace dewbow {
 
-/// Size parameters for which the series is tested.
-inline constexpr double kSmallestDebyeSize = 1e-3, kLargestDebyeSize = 20000.0;
+/// Largest size parameter for which the series is tested; the smallest is Mie's.
+inline constexpr double kLargestDebyeSize = 20000.0;
 
 /// The series of one sphere. Terms of order p are those of rays along p chords.
 class DebyeSeries {
 public:
-    /// Throws InputError unless the index is at least 1 and x within the limits above.
+    /// Throws InputError unless the index is at least 1 (and at most kLargestInnerSize / x) and the
+    /// size between kSmallestSize and kLargestDebyeSize.
     DebyeSeries(RelativeIndex index, double size_parameter);
 
     /// Amplitudes of light of order p >= 0.

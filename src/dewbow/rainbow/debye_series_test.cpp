@@ -12,6 +12,7 @@
 #include "dewbow/base/file.h"
 #include "dewbow/math/quadrature.h"
 #include "dewbow/rainbow/drop_ray.h"
+#include "dewbow/rainbow/mie/angular_sum.h"
 #include "dewbow/rainbow/mie/partial_waves.h"
 #include "dewbow/spectrum/csv_table.h"
 
@@ -235,7 +236,7 @@ TEST(DebyeSeries, ADropOfNothingLetsLightThroughUnchanged) {
 }
 
 TEST(DebyeSeries, RefusesWhatItDoesNotHoldFor) {
-    for (const double n : {0.999, -1.33, std::nan("")})
+    for (const double n : {0.999, -1.33, 1e9, std::nan("")})
         EXPECT_THROW(DebyeSeries({n}, 100.0), InputError);
     for (const double size : {0.0, -1.0, 1e-4, 20001.0, std::nan("")})
         EXPECT_THROW(DebyeSeries(kWater, size), InputError);
