@@ -12,6 +12,9 @@
 //
 // The ½ is diffraction. It is counted with p = 0, whose terms then vanish for waves that pass the
 // drop by; alone, its sum over n would not end.
+//
+// In drops much smaller than the wavelength orders mean nothing by themselves: each b_n is of order
+// x, their sum x⁵, and the sum has lost as many digits.
 
 #include <complex>
 #include <vector>

@@ -33,11 +33,14 @@ Amplitudes amplitudes_at(const PartialWaves& waves, Angle theta) {
     return result;
 }
 
-/// Largest |a_n − a_n'| or |b_n − b_n'|.
+/// Largest |a_n − a_n'| or |b_n − b_n'|; NaN if one is.
 double distance(const PartialWaves& u, const PartialWaves& v) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < u.a.size(); ++i)
-        largest = std::max({largest, std::abs(u.a[i] - v.a[i]), std::abs(u.b[i] - v.b[i])});
+    const auto add = [&](double d) { largest = d <= largest ? largest : d; };
+    for (std::size_t i = 0; i < u.a.size(); ++i) {
+        add(std::abs(u.a[i] - v.a[i]));
+        add(std::abs(u.b[i] - v.b[i]));
+    }
     return largest;
 }
 
@@ -120,6 +123,40 @@ TEST(DebyeSeries, OrdersAndTheClosedRemainderAddUp) {
         for (const int last : {0, 1, 2, 3, 7, 20, 100})
             EXPECT_LT(distance(sum(sum_to(series, last), series.beyond(last)), all), kRounding)
                 << "x = " << size << ", p = " << last;
+    }
+}
+
+TEST(DebyeSeries, EachWaveIsMies) {
+    // Relative to the waves of that n, also to those that hardly touch the drop (a_12 is 1e-40 for
+    // x = 0.5), where R_22 and R_11 are nearly 1.
+    constexpr double kRounding = 1e-11;  // 1.3e-12 at b_10 of x = 0.5
+    for (const double size : {0.5, 10.0, 100.0}) {
+        const PartialWaves all = DebyeSeries(kWater, size).all(), mie = mie_waves(kWater, size);
+        ASSERT_EQ(all.a.size(), mie.a.size());
+        for (std::size_t i = 0; i < mie.a.size(); ++i) {
+            const double allowed = kRounding * (std::abs(mie.a[i]) + std::abs(mie.b[i]));
+            EXPECT_LT(std::abs(all.a[i] - mie.a[i]), allowed) << "x = " << size << ", a_" << i + 1;
+            EXPECT_LT(std::abs(all.b[i] - mie.b[i]), allowed) << "x = " << size << ", b_" << i + 1;
+        }
+    }
+}
+
+TEST(DebyeSeries, ClosedSumIsMiesAtEveryAngle) {
+    constexpr double kLocal = 1e-9;  // of the amplitude there
+    for (const double size : {100.0, 1000.0}) {
+        const PartialWaves mie = mie_waves(kWater, size);
+        const DebyeSeries series(kWater, size);
+        for (const PartialWaves& waves :
+             {series.all(), sum(sum_to(series, kHighestOrder), series.beyond(kHighestOrder))}) {
+            for (double degrees = 0.0; degrees <= 180.0; degrees += 0.5) {
+                const Amplitudes s = amplitudes_at(waves, degrees * unit::deg);
+                const Amplitudes expected = amplitudes_at(mie, degrees * unit::deg);
+                EXPECT_LT(std::abs(s.perpendicular - expected.perpendicular),
+                          kLocal * std::abs(expected.perpendicular));
+                EXPECT_LT(std::abs(s.parallel - expected.parallel),
+                          kLocal * std::abs(expected.parallel));
+            }
+        }
     }
 }
 
