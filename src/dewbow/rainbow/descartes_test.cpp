@@ -117,23 +117,28 @@ TEST(GeometricFlux, CellWithTheBowHoldsTheRaysAroundIt) {
 }
 
 TEST(GeometricFlux, AgreesWithManyRays) {
-    // 400,000 rays evenly over b, weighted 2b ε²: the histogram that others make.
+    // 400,000 rays evenly over b, weighted ε² 2b or ε²: the histogram that others make.
     constexpr int kRays = 400'000;
     // A cell's first and last ray: 4 / kRays of what the brightest cells hold, with a reserve.
     constexpr double kGrain = 2e-5;
     const std::vector<Angle> edges = angles(0.0, 180.0, 0.5);
     for (int p : {1, 2, 3, 6}) {
-        std::vector<double> histogram(edges.size() - 1);
+        std::vector<double> disc(edges.size() - 1), impact(edges.size() - 1);
         for (int k = 0; k < kRays; ++k) {
             const double b = (k + 0.5) / kRays;
             const DropRay ray = drop_ray(b, kWater);
             const RayAmplitudes e = ray_amplitudes(ray, kWater, p);
-            const double cell = scattering_angle(deviation(ray, p)).to(0.5 * deg);
-            histogram[std::size_t(cell)] += 2.0 * b * e.perpendicular * e.perpendicular / kRays;
+            const auto cell = std::size_t(scattering_angle(deviation(ray, p)).to(0.5 * deg));
+            disc[cell] += 2.0 * b * e.perpendicular * e.perpendicular / kRays;
+            impact[cell] += e.parallel * e.parallel / kRays;
         }
-        const std::vector<PolarisedFlux> cells = flux(kWater, p, edges);
-        for (std::size_t k = 0; k < cells.size(); ++k)
-            EXPECT_NEAR(cells[k].perpendicular, histogram[k], kGrain) << p << " cell " << k;
+        const std::vector<PolarisedFlux> over_disc = flux(kWater, p, edges);
+        std::vector<PolarisedFlux> over_impact(edges.size() - 1);
+        add_geometric_flux(kWater, p, edges, over_impact, RayDensity::even_in_impact_parameter);
+        for (std::size_t k = 0; k < disc.size(); ++k) {
+            EXPECT_NEAR(over_disc[k].perpendicular, disc[k], kGrain) << p << " cell " << k;
+            EXPECT_NEAR(over_impact[k].parallel, impact[k], kGrain) << p << " cell " << k;
+        }
     }
 }
 

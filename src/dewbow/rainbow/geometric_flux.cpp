@@ -29,22 +29,40 @@ PolarisedFlux transmitted(double c, double n, int p) {
     return {left(rs * rs), left(rp * rp)};
 }
 
-/// ∫ 2b ε² db = ∫ 2c ε² dc between two angles of incidence, `from` the smaller.
+/// Five nodes lose less than 1e-14 on intervals of cos i or i up to this.
+constexpr double kShort = 0.01;
+const QuadratureRule& rule_for(double length) {
+    static const QuadratureRule few = gauss_legendre(5), many = gauss_legendre(48);
+    return length < kShort ? few : many;
+}
+
+/// ∫ ε² 2b db = ∫ ε² 2c dc between two angles of incidence, `from` the smaller.
 /// The integrand is smooth in c: its nearest poles are at c = −1 / √(n² + 1), that of the Brewster
 /// angle behind the axis.
-PolarisedFlux flux_between(double from, double to, double n, int p) {
-    static const QuadratureRule few = gauss_legendre(5), many = gauss_legendre(48);
-    // Five nodes lose less than 1e-14 on intervals up to this.
-    constexpr double kShort = 0.01;
+PolarisedFlux flux_over_disc(double from, double to, double n, int p) {
     const double c_to = std::cos(to);
     const double half = std::sin(0.5 * (from + to)) * std::sin(0.5 * (to - from));
-    const QuadratureRule& rule = 2.0 * half < kShort ? few : many;
+    const QuadratureRule& rule = rule_for(2.0 * half);
     PolarisedFlux sum;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
         const double c = c_to + half * (1.0 + rule.nodes[k]);
-        const PolarisedFlux T = transmitted(c, n, p);
-        sum.perpendicular += rule.weights[k] * 2.0 * c * T.perpendicular;
-        sum.parallel += rule.weights[k] * 2.0 * c * T.parallel;
+        const PolarisedFlux left = transmitted(c, n, p);
+        sum.perpendicular += rule.weights[k] * 2.0 * c * left.perpendicular;
+        sum.parallel += rule.weights[k] * 2.0 * c * left.parallel;
+    }
+    return {half * sum.perpendicular, half * sum.parallel};
+}
+
+/// ∫ ε² db = ∫ ε² cos i di.
+PolarisedFlux flux_over_impact(double from, double to, double n, int p) {
+    const double half = 0.5 * (to - from);
+    const QuadratureRule& rule = rule_for(2.0 * half);
+    PolarisedFlux sum;
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+        const double c = std::cos(from + half * (1.0 + rule.nodes[k]));
+        const PolarisedFlux left = transmitted(c, n, p);
+        sum.perpendicular += rule.weights[k] * c * left.perpendicular;
+        sum.parallel += rule.weights[k] * c * left.parallel;
     }
     return {half * sum.perpendicular, half * sum.parallel};
 }
@@ -71,7 +89,9 @@ SolidAngle cell_solid_angle(Angle from, Angle to) {
 }
 
 void add_geometric_flux(RelativeIndex n, int p, std::span<const Angle> edges,
-                        std::span<PolarisedFlux> out) {
+                        std::span<PolarisedFlux> out, RayDensity density) {
+    const auto flux_between =
+        density == RayDensity::even_over_disc ? flux_over_disc : flux_over_impact;
     for (const RayBranch& branch : ray_branches(n, p)) {
         const auto incidence = [&](Angle theta) {
             return branch.incidence_at(std::clamp(theta, branch.least, branch.greatest))

@@ -2,7 +2,7 @@
 #pragma once
 
 // How much of the light that meets a drop leaves it between two angles, by rays and without any
-// sampling: 2b ε² db is integrated between the impact parameters that belong to the edges of a
+// sampling: ε² 2b db is integrated between the impact parameters that belong to the edges of a
 // cell, branch by branch. Cells that hold a bow, 0° or 180° are as exact as others.
 
 #include <span>
@@ -25,11 +25,18 @@ std::vector<Angle> cell_edges(std::span<const Angle> theta);
 /// Solid angle between two cones, 2π (cos θ1 − cos θ2).
 SolidAngle cell_solid_angle(Angle from, Angle to);
 
+/// How the rays that meet a drop are spread over it.
+enum class RayDensity {
+    even_over_disc,            ///< 2b db: a sphere in parallel light
+    even_in_impact_parameter,  ///< db: a disc-shaped drop, as in Musgrave 1989, 4.3.2
+};
+
 /// Adds to `out` [edges.size() − 1] the part of the intercepted flux that order p sends between
 /// neighbours of `edges` (ascending, within 0 to 180°).
 /// Error: 1e-13 of the order's flux, summed over cells. Throws InputError as ray_branches.
 void add_geometric_flux(RelativeIndex n, int p, std::span<const Angle> edges,
-                        std::span<PolarisedFlux> out);
+                        std::span<PolarisedFlux> out,
+                        RayDensity density = RayDensity::even_over_disc);
 
 /// What order p takes of the intercepted flux in all, and ∫ cos θ over that flux.
 struct OrderFlux {
