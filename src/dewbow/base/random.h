@@ -26,6 +26,7 @@ enum class Purpose : std::uint32_t {
     lane_choice,
     roulette,
     test,
+    impact_parameter,  ///< of a ray on a drop
 };
 
 /// A bijection of 64 bits in which every output bit depends on every input bit.
