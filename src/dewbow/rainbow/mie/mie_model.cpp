@@ -12,7 +12,7 @@ namespace {
 
 /// Spheres whose sums share π_n and τ_n: enough that those no longer count, few enough for the
 /// caches (bench/micro/mie_speed.cpp).
-constexpr std::size_t kGroup = 16;
+constexpr std::size_t kGroup = 8;
 
 class MieModel final : public AmplitudeModel {
 public:

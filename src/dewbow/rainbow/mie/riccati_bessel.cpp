@@ -14,8 +14,14 @@ int start_of_ratios(double modulus, int N) {
 }
 
 double reciprocal(double a) { return 1.0 / a; }
-/// Without the care for overflow that std::complex takes: |a| is of order n/|z| at most.
+double product(double a, double b) { return a * b; }
+/// These two without the care for overflow that std::complex takes.
 std::complex<double> reciprocal(std::complex<double> a) { return std::conj(a) / std::norm(a); }
+std::complex<double> product(std::complex<double> a, std::complex<double> b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+double size(double a) { return std::abs(a); }
+double size(std::complex<double> a) { return std::abs(a.real()) + std::abs(a.imag()); }
 
 /// 1/z with twice the digits: the rounding of a plain 1/z, the same in every step of a recurrence,
 /// would shift the phase by |z| / 1e16.
@@ -45,10 +51,18 @@ template <class T>
 std::vector<T> psi_ratios(T z, int N) {
     std::vector<T> ratios(std::size_t(N) + 1);
     const Inverse<T> inverse(z);
-    T ratio{};
+    // ψ_n but for a common factor, which is taken back before it is too great to square.
+    constexpr double kGreat = 1e100;
+    T after{}, wave{1.0};
     for (int n = start_of_ratios(std::abs(z), N); n >= 1; --n) {
-        ratio = reciprocal(inverse.times(2.0 * n + 1.0) - ratio);
-        if (n <= N) ratios[std::size_t(n)] = ratio;
+        const T before = product(inverse.times(2.0 * n + 1.0), wave) - after;
+        if (n <= N) ratios[std::size_t(n)] = product(wave, reciprocal(before));
+        after = wave;
+        wave = before;
+        if (size(wave) > kGreat) {
+            after *= 1.0 / kGreat;
+            wave *= 1.0 / kGreat;
+        }
     }
     return ratios;
 }

@@ -28,7 +28,7 @@ struct RiccatiBessel {
 RiccatiBessel riccati_bessel(double x, int N);
 
 /// ψ_n(z) / ψ_{n−1}(z), n = 1..N, at [n] ([0] is 0), for real or complex z ≠ 0, by the downward
-/// recurrence r_n = 1 / ((2n+1)/z − r_{n+1}) from where the start no longer matters. Near 0 they
+/// recurrence ψ_{n−1} = (2n+1)/z ψ_n − ψ_{n+1} from where the start no longer matters. Near 0 they
 /// are z / (2n+1), and differences of them keep what those of derivatives lose.
 template <class T>
 std::vector<T> psi_ratios(T z, int N);
