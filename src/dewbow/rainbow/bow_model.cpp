@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/rainbow/bow_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "dewbow/base/error.h"
+#include "dewbow/rainbow/ray_pair.h"
+
+namespace dewbow {
+namespace {
+
+Intensities squared(const Amplitudes& s) {
+    return {std::norm(s.perpendicular), std::norm(s.parallel)};
+}
+
+}  // namespace
+
+void check_bow_size(double x) {
+    if (!(x >= kSmallestBowSize && x <= kLargestBowSize))
+        throw InputError(fmt::format("size parameter {}; Airy models of bows take {} to {}", x,
+                                     kSmallestBowSize, kLargestBowSize));
+}
+
+BowModel::BowModel(const Orders& asked, const Orders& all) : orders_(asked.empty() ? all : asked) {
+    for (int p : orders_)
+        if (p < kLowestBow || p > kHighestBow)
+            throw InputError(fmt::format("order {}; Airy models of bows have {} to {}", p,
+                                         kLowestBow, kHighestBow));
+    std::sort(orders_.begin(), orders_.end());
+    orders_.erase(std::unique(orders_.begin(), orders_.end()), orders_.end());
+}
+
+std::vector<std::unique_ptr<BowPattern>> BowModel::patterns(ComplexIndex index,
+                                                            std::span<const Drop> drops) const {
+    if (!index.is_real())
+        throw InputError(
+            fmt::format("{} cannot treat a drop that absorbs (k = {}); expected k = "
+                        "0, or the model mie",
+                        name(), index.k));
+    for (const Drop& drop : drops) check_bow_size(drop.size_parameter);
+    std::vector<std::unique_ptr<BowPattern>> made;
+    for (int p : orders_) made.push_back(make_pattern({index.n}, p));
+    return made;
+}
+
+void BowModel::amplitudes(ComplexIndex index, const Drop& drop, std::span<const Angle> theta,
+                          std::span<Amplitudes> out) const {
+    std::fill(out.begin(), out.end(), Amplitudes{});
+    for (const auto& pattern : patterns(index, {&drop, 1}))
+        for (std::size_t i = 0; i < theta.size(); ++i)
+            pattern->add_amplitudes({&drop, 1}, theta[i], out.subspan(i, 1));
+}
+
+void BowModel::intensities(ComplexIndex index, std::span<const Drop> drops,
+                           std::span<const Angle> theta, std::span<Intensities> out) const {
+    const auto bows = patterns(index, drops);
+    std::vector<Amplitudes> sums(drops.size());
+    for (std::size_t i = 0; i < theta.size(); ++i) {
+        std::fill(sums.begin(), sums.end(), Amplitudes{});
+        for (const auto& pattern : bows) pattern->add_amplitudes(drops, theta[i], sums);
+        for (std::size_t d = 0; d < drops.size(); ++d) out[d * theta.size() + i] = squared(sums[d]);
+    }
+}
+
+Efficiencies BowModel::efficiencies(ComplexIndex index, const Drop& drop) const {
+    // Fringes are no closer than 2.4 / x, so each has five samples at least.
+    const double x = drop.size_parameter;
+    const auto bows = patterns(index, {&drop, 1});
+    const int samples = 4000 + static_cast<int>(2.0 * x);
+    const double step = std::numbers::pi / samples;
+    double sum = 0.0, forward = 0.0;
+    for (int i = 0; i < samples; ++i) {
+        const double theta = (i + 0.5) * step;
+        for (const auto& pattern : bows) {
+            Amplitudes s{};
+            pattern->add_amplitudes({&drop, 1}, theta * unit::rad, {&s, 1});
+            const double light = squared(s).unpolarised() * std::sin(theta);
+            if (std::isnan(light)) continue;
+            sum += light, forward += light * std::cos(theta);
+        }
+    }
+    // Q = (2 / x²) ∫ (|S_1|² + |S_2|²) / 2 sin θ dθ · 1, with dσ/dΩ = |S|² / k².
+    const double scattering = 2.0 * sum * step / (x * x);
+    return {scattering, scattering, forward / sum};
+}
+
+}  // namespace dewbow
