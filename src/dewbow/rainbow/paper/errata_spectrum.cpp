@@ -33,7 +33,7 @@ Setup otherwise_right() {
     method.per_solid_angle = true;
     method.divide_by_air = false;
     constexpr double kBucket_deg = 0.05;
-    return {method, kBucket_deg, disc_kernel({kSunRadius, 0.0}, kBucket_deg * unit::deg)};
+    return {method, kBucket_deg, projection_kernel({kSunRadius, 0.0}, kBucket_deg * unit::deg)};
 }
 
 /// [bucket], from 34° on.

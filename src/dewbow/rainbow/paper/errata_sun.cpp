@@ -50,10 +50,10 @@ Erratum kernel_of_the_sun() {
     const std::vector<double> published = sun_kernel(SunKernel::five_entries);
     const std::vector<double> right = sun_kernel(SunKernel::disc);
     const SunDisc darkened{kSunRadius, kLimbDarkening};
-    const std::vector<double> limb = disc_kernel(darkened, kPaperBucket);
+    const std::vector<double> limb = projection_kernel(darkened, kPaperBucket);
     constexpr double kFine_deg = 0.002;
     const auto width = [&](double u) {
-        return rms_deg(disc_kernel({kSunRadius, u}, kFine_deg * unit::deg), kFine_deg);
+        return rms_deg(projection_kernel({kSunRadius, u}, kFine_deg * unit::deg), kFine_deg);
     };
     Erratum e;
     e.name = "E16", e.subject = "the kernel of the sun";
@@ -77,10 +77,10 @@ Erratum kernel_of_the_sun() {
     e.rows.push_back({"primary's peak, one wavelength, over the right one", "",
                       peak(published) / peak(right), 1.0});
     e.x_label = "distance from the middle of the sun (deg)", e.y_label = "weight (per deg)";
-    e.curves = {
-        steps("five entries, as published", published, kBucket_deg, true),
-        steps("disc, seven entries", right, kBucket_deg, false),
-        steps("limb darkened", disc_kernel(darkened, kFine_deg * unit::deg), kFine_deg, false)};
+    e.curves = {steps("five entries, as published", published, kBucket_deg, true),
+                steps("disc, seven entries", right, kBucket_deg, false),
+                steps("limb darkened", projection_kernel(darkened, kFine_deg * unit::deg),
+                      kFine_deg, false)};
     return e;
 }
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "dewbow/base/error.h"
 #include "dewbow/base/random.h"
@@ -71,19 +70,6 @@ Buckets exact_intensities(const PaperMethod& method, RelativeIndex n) {
         buckets[k] = cells[kPaperBuckets - 1 - k].unpolarised() /
                      (method.per_solid_angle ? solid_angle(k) : 1.0);
     return buckets;
-}
-
-/// ∫ of a limb-darkened disc's brightness across t, from −1 to t in radii.
-double disc_integral(double t, double u) {
-    t = std::clamp(t, -1.0, 1.0);
-    return (1.0 - u) * (t * std::sqrt(1.0 - t * t) + std::asin(t)) +
-           0.5 * kPi * u * (t - t * t * t / 3.0);
-}
-
-std::vector<double> of_unit_sum(std::vector<double> kernel) {
-    const double sum = std::accumulate(kernel.begin(), kernel.end(), 0.0);
-    for (double& tap : kernel) tap /= sum;
-    return kernel;
 }
 
 using Channels = std::array<Buckets, 3>;
@@ -160,21 +146,9 @@ RelativeIndex paper_index(const PaperMethod& method, Wavelength lambda) {
 
 std::vector<double> sun_kernel(SunKernel kernel) {
     if (kernel == SunKernel::none) return {1.0};
-    if (kernel == SunKernel::disc) return disc_kernel({kSunRadius, 0.0}, kPaperBucket);
-    constexpr double kPaperSun = 2.5;  // 0.25° in buckets
-    std::vector<double> taps;
-    for (int k = -2; k <= 2; ++k) taps.push_back(std::sqrt(1.0 - k * k / (kPaperSun * kPaperSun)));
-    return of_unit_sum(taps);
-}
-
-std::vector<double> disc_kernel(const SunDisc& disc, Angle bucket) {
-    const double half_bucket = 0.5 * (bucket / disc.radius);
-    const int reach = static_cast<int>(std::ceil((1.0 - half_bucket) / (2.0 * half_bucket)));
-    std::vector<double> taps;
-    for (int k = -reach; k <= reach; ++k)
-        taps.push_back(disc_integral((2 * k + 1) * half_bucket, disc.limb_darkening) -
-                       disc_integral((2 * k - 1) * half_bucket, disc.limb_darkening));
-    return of_unit_sum(taps);
+    if (kernel == SunKernel::disc) return projection_kernel({kSunRadius, 0.0}, kPaperBucket);
+    const auto taps = published_sun_kernel();
+    return {taps.begin(), taps.end()};
 }
 
 std::vector<double> convolve_mirrored(const std::vector<double>& values,

@@ -54,8 +54,6 @@ RelativeIndex paper_index(const PaperMethod& method, Wavelength lambda);
 
 /// Kernel over neighbouring buckets, from −k to k, of sum 1.
 std::vector<double> sun_kernel(SunKernel kernel);
-/// The same for any disc, integrated over buckets. Limb darkening: I(μ) = 1 − u (1 − μ).
-std::vector<double> disc_kernel(const SunDisc& disc, Angle bucket);
 
 /// `values` smeared by a kernel of odd length; ends mirrored, so that the sum stays.
 std::vector<double> convolve_mirrored(const std::vector<double>& values,

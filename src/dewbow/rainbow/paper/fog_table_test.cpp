@@ -125,9 +125,11 @@ TEST(FogTable, JitteredWavelengthsMergeTheRings) {
     EXPECT_GE(rings(fixed), 7);
     EXPECT_LE(rings(jittered), 4);
     // The same again, bit for bit; and another seed, another table.
-    EXPECT_EQ(make_fog_table(method).intensity, jittered.intensity);
+    method.rays = 1'000;
+    const auto few = make_fog_table(method).intensity;
+    EXPECT_EQ(make_fog_table(method).intensity, few);
     method.seed = 1;
-    EXPECT_NE(make_fog_table(method).intensity, jittered.intensity);
+    EXPECT_NE(make_fog_table(method).intensity, few);
 }
 
 TEST(FogTable, EachSwitchActsOnItsOwn) {
