@@ -9,6 +9,7 @@
 
 #include "dewbow/math/quadrature.h"
 #include "dewbow/rainbow/debye_series.h"
+#include "dewbow/rainbow/drop_ray.h"
 #include "dewbow/rainbow/embedded_data.h"
 #include "dewbow/rainbow/mie/angular_sum.h"
 #include "dewbow/rainbow/mie/partial_waves.h"
@@ -242,12 +243,35 @@ void test_debye(Rows& rows) {
     }
 }
 
+// ---- rays
+// ----------------------------------------------------------------------------------------
+
+void test_rays(Rows& rows) {
+    Report report(rows, "Closed forms of the ray of least deflection, m = 1.333");
+    constexpr double kAllowed = 1e-12;
+    const double n2 = kWater * kWater;
+    const double expected_angle[] = {
+        2.0 * std::acos(std::pow((4.0 - n2) / 3.0, 1.5) / n2),
+        2.0 * std::numbers::pi -
+            2.0 * std::acos(-(n2 * n2 + 18.0 * n2 - 27.0) / (8.0 * kWater * n2))};
+    const double expected_light[] = {64.0 / 729.0, 9.0 / 256.0};  // for every index
+    for (const int p : {2, 3}) {
+        const DescartesRay bow = descartes_ray({kWater}, p);
+        const double amplitude = ray_amplitudes(bow.ray, {kWater}, p).perpendicular;
+        report.compare(fmt::format("p = {}: scattering angle in degrees", p),
+                       bow.scattering_angle.to(unit::deg),
+                       expected_angle[p - 2] * 180.0 / std::numbers::pi, kAllowed);
+        report.compare(fmt::format("p = {}: light left, perpendicular", p), amplitude * amplitude,
+                       expected_light[p - 2], kAllowed);
+    }
+}
+
 }  // namespace
 
 Rows run_self_test() {
     Rows rows;
-    for (const auto test :
-         {test_miev0, test_bohren_huffman, test_50_digits, test_conservation, test_debye})
+    for (const auto test : {test_miev0, test_bohren_huffman, test_50_digits, test_conservation,
+                            test_debye, test_rays})
         test(rows);
     return rows;
 }
