@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "dewbow/rainbow/self_test.h"
+#include "dewbow/rainbow/self_test/comparison.h"
 
 namespace dewbow {
+
+std::vector<SelfTestRow> run_self_test() {
+    using namespace self_test;
+    Rows rows;
+    for (const auto check : {check_miev0, check_bohren_huffman, check_50_digits, check_conservation,
+                             check_debye, check_uniform_airy, check_descartes_rays})
+        check(rows);
+    return rows;
+}
 
 std::string self_test_report(std::span<const SelfTestRow> rows) {
     std::string text;
