@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // How fast the model `mie` is: one sphere's S1 and S2 at 1801 angles, and one of many spheres',
-// beside Wiscombe's algorithm, all on one thread in one run.
+// beside Wiscombe's algorithm, all on one thread in one run; and `debye` beside `mie`.
 
 #include <fmt/format.h>
 
@@ -94,9 +94,23 @@ void run() {
     }
 }
 
+/// One order of light costs the same sums as all of it, and more Bessel functions.
+void run_debye() {
+    constexpr double kHalfMillimetre = 5712.0;  // radius 0.5 mm at 550 nm
+    ModelOptions options;
+    options.orders = {2};
+    const auto debye = make_scattering_model("debye", options), mie = make_scattering_model("mie");
+    const double one_order =
+        seconds_alone(dynamic_cast<const AmplitudeModel&>(*debye), kHalfMillimetre);
+    const double all = seconds_alone(dynamic_cast<const AmplitudeModel&>(*mie), kHalfMillimetre);
+    fmt::print("\nmodel debye, one order, x = {}: {:.4f} ms, {:.2f} times mie's {:.4f} ms\n",
+               kHalfMillimetre, 1e3 * one_order, one_order / all, 1e3 * all);
+}
+
 }  // namespace
 }  // namespace dewbow::bench
 
 int main() {
     dewbow::bench::run();
+    dewbow::bench::run_debye();
 }
