@@ -36,7 +36,7 @@ double plain(double factor, double addend) {
 [[gnu::target("avx2,fma")]] double avx2(double factor, double addend) {
     return chains<4>(factor, addend);
 }
-[[gnu::target("avx2,fma,avx512f,prefer-vector-width=512")]] double avx512(double factor,
+[[gnu::target("avx2,fma,avx512f")]] double avx512(double factor,
                                                                          double addend) {
     return chains<8>(factor, addend);
 }

@@ -6,7 +6,7 @@
 
 #define DEWBOW_INLINE [[gnu::always_inline]] inline
 // g++ would load a vector anew for each of its uses, and loads are what is short then.
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define DEWBOW_IN_REGISTER(vector) asm("" : "+v"(vector))
 #else
 #define DEWBOW_IN_REGISTER(vector)
@@ -17,7 +17,7 @@ namespace {
 
 /// Orders between which the sums of one sphere rest in registers: π_n ± τ_n of that many orders and
 /// of a block's angles stay in a first-level cache of 32 KiB.
-constexpr int kBlockOrders = 32;
+constexpr int kBlockOrders = 40;
 /// Vectors of a sum's real and imaginary part in registers: 12 chains hide the latency of an FMA.
 constexpr int kTile = 6;
 
@@ -42,9 +42,11 @@ struct Recurrence {
     }
 };
 
-template <int kLanes>
+/// Vectors of an instruction set.
+template <int lanes, int registers>
 struct Lanes {
-    typedef double Vector __attribute__((vector_size(8 * kLanes)));
+    static constexpr int kLanes = lanes, kRegisters = registers;
+    typedef double Vector __attribute__((vector_size(8 * lanes)));
     DEWBOW_INLINE static Vector load(const double* from) {
         Vector v;
         __builtin_memcpy(&v, from, sizeof(v));
@@ -61,7 +63,7 @@ struct Lanes {
 template <class L>
 DEWBOW_INLINE void continue_table(int n, int count, Recurrence& at, Table& plus, Table& minus) {
     using Vector = typename L::Vector;
-    constexpr int kLanes = sizeof(Vector) / sizeof(double), kVectors = kLanes == 8 ? 6 : 3;
+    constexpr int kLanes = L::kLanes, kVectors = L::kRegisters == 32 ? 6 : 3;
     for (int first = 0; first < kBlockAngles; first += kVectors * kLanes) {
         Vector pi[kVectors], before[kVectors], difference[kVectors], e[kVectors];
         for (int v = 0; v < kVectors; ++v) {
@@ -89,69 +91,119 @@ DEWBOW_INLINE void continue_table(int n, int count, Recurrence& at, Table& plus,
     }
 }
 
-/// Adds the table's first `count` orders, times a sphere's factors of these.
+/// Real and imaginary part of one sum, by angle.
+using Sum = double[2][kBlockAngles];
+
+/// A tile of one sum in registers.
 template <class L>
-DEWBOW_INLINE void add_table(int count, const Table& table, const double* factors,
-                             double (&sums)[2][kBlockAngles]) {
-    using Vector = typename L::Vector;
-    constexpr int kLanes = sizeof(Vector) / sizeof(double);
-    for (int first = 0; first < kBlockAngles; first += kTile * kLanes) {
-        Vector re[kTile], im[kTile];
+struct SumTile {
+    typename L::Vector re[kTile], im[kTile];
+    DEWBOW_INLINE SumTile(const Sum& sum, int first) {
         for (int v = 0; v < kTile; ++v) {
-            re[v] = L::load(sums[0] + first + v * kLanes);
-            im[v] = L::load(sums[1] + first + v * kLanes);
-        }
-        for (int i = 0; i < count; ++i)
-            for (int v = 0; v < kTile; ++v) {
-                Vector angular = L::load(table.values[i] + first + v * kLanes);
-                DEWBOW_IN_REGISTER(angular);
-                re[v] += factors[2 * i] * angular;
-                im[v] += factors[2 * i + 1] * angular;
-            }
-        for (int v = 0; v < kTile; ++v) {
-            L::store(sums[0] + first + v * kLanes, re[v]);
-            L::store(sums[1] + first + v * kLanes, im[v]);
+            re[v] = L::load(sum[0] + first + v * L::kLanes);
+            im[v] = L::load(sum[1] + first + v * L::kLanes);
         }
     }
+    DEWBOW_INLINE void store(Sum& sum, int first) const {
+        for (int v = 0; v < kTile; ++v) {
+            L::store(sum[0] + first + v * L::kLanes, re[v]);
+            L::store(sum[1] + first + v * L::kLanes, im[v]);
+        }
+    }
+};
+
+/// Adds the table's first `count` orders, times the factors of `straight`, to `straight_sum`; and
+/// those of `alternating` so that `alternating_sum` becomes Σ_n (−1)^{last − n} factor × value. One
+/// of the sums may be absent: nullptr, as the template says.
+template <class L, bool kStraight, bool kAlternating>
+DEWBOW_INLINE void add_table(int count, const Table& table, const double* straight,
+                             const double* alternating, Sum* straight_sum, Sum* alternating_sum) {
+    for (int first = 0; first < kBlockAngles; first += kTile * L::kLanes) {
+        SumTile<L> s(kStraight ? *straight_sum : *alternating_sum, first);
+        SumTile<L> a(kAlternating ? *alternating_sum : *straight_sum, first);
+        for (int i = 0; i < count; ++i)
+            for (int v = 0; v < kTile; ++v) {
+                typename L::Vector angular = L::load(table.values[i] + first + v * L::kLanes);
+                DEWBOW_IN_REGISTER(angular);
+                if constexpr (kStraight) {
+                    s.re[v] = straight[2 * i] * angular + s.re[v];
+                    s.im[v] = straight[2 * i + 1] * angular + s.im[v];
+                }
+                if constexpr (kAlternating) {
+                    a.re[v] = alternating[2 * i] * angular - a.re[v];
+                    a.im[v] = alternating[2 * i + 1] * angular - a.im[v];
+                }
+            }
+        if constexpr (kStraight) s.store(*straight_sum, first);
+        if constexpr (kAlternating) a.store(*alternating_sum, first);
+    }
+}
+
+/// Both sums at once share the loads of the table, where there are registers for both.
+template <class L>
+DEWBOW_INLINE void add_table(int count, const Table& table, const double* straight,
+                             const double* alternating, Sum* straight_sum, Sum* alternating_sum) {
+    if (L::kRegisters >= 4 * kTile + 6 && straight_sum && alternating_sum) {
+        add_table<L, true, true>(count, table, straight, alternating, straight_sum,
+                                 alternating_sum);
+        return;
+    }
+    if (straight_sum) add_table<L, true, false>(count, table, straight, nullptr, straight_sum, nullptr);
+    if (alternating_sum)
+        add_table<L, false, true>(count, table, nullptr, alternating, nullptr, alternating_sum);
+}
+
+/// Gives alternating sums of an even number of orders the sign (−1)^{n+1}.
+void negate(BlockSums& sums) {
+    for (Sum* sum : {&sums.plus, &sums.minus})
+        for (int part = 0; part < 2; ++part)
+            for (int i = 0; i < kBlockAngles; ++i) (*sum)[part][i] = -(*sum)[part][i];
 }
 
 template <class L>
 DEWBOW_INLINE void sum_block_with(std::span<const WaveFactors> spheres,
-                                  std::span<const double> epsilon, std::span<BlockSums> sums) {
-    std::size_t size = 0;
-    for (std::size_t s = 0; s < spheres.size(); ++s) {
-        sums[s] = {};
-        size = std::max(size, spheres[s].plus.size());
-    }
+                                  std::span<const double> epsilon, std::span<BlockSums> forward,
+                                  std::span<BlockSums> backward) {
+    std::fill(forward.begin(), forward.end(), BlockSums{});
+    std::fill(backward.begin(), backward.end(), BlockSums{});
+    int orders = 0;
+    for (const WaveFactors& sphere : spheres)
+        orders = std::max(orders, int(sphere.plus.size() / 2));
     Recurrence angles(epsilon);
     Table plus, minus;
-    const int orders = int(size / 2);
     for (int done = 0; done < orders; done += kBlockOrders) {
         continue_table<L>(done + 1, std::min(kBlockOrders, orders - done), angles, plus, minus);
         for (std::size_t s = 0; s < spheres.size(); ++s) {
             const int count = std::min(kBlockOrders, int(spheres[s].plus.size() / 2) - done);
             if (count <= 0) continue;
-            add_table<L>(count, plus, spheres[s].plus.data() + 2 * done, sums[s].plus);
-            add_table<L>(count, minus, spheres[s].minus.data() + 2 * done, sums[s].minus);
+            BlockSums* f = forward.empty() ? nullptr : &forward[s];
+            BlockSums* b = backward.empty() ? nullptr : &backward[s];
+            const double* p = spheres[s].plus.data() + 2 * done;
+            const double* m = spheres[s].minus.data() + 2 * done;
+            add_table<L>(count, plus, p, m, f ? &f->plus : nullptr, b ? &b->minus : nullptr);
+            add_table<L>(count, minus, m, p, f ? &f->minus : nullptr, b ? &b->plus : nullptr);
         }
     }
+    for (std::size_t s = 0; s < backward.size(); ++s)
+        if (spheres[s].plus.size() / 2 % 2 == 0) negate(backward[s]);
 }
 
 void sum_block_plain(std::span<const WaveFactors> spheres, std::span<const double> epsilon,
-                     std::span<BlockSums> sums) {
-    sum_block_with<Lanes<2>>(spheres, epsilon, sums);
+                     std::span<BlockSums> forward, std::span<BlockSums> backward) {
+    sum_block_with<Lanes<2, 16>>(spheres, epsilon, forward, backward);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__)
 [[gnu::target("avx2,fma")]] void sum_block_avx2(std::span<const WaveFactors> spheres,
                                                 std::span<const double> epsilon,
-                                                std::span<BlockSums> sums) {
-    sum_block_with<Lanes<4>>(spheres, epsilon, sums);
+                                                std::span<BlockSums> forward,
+                                                std::span<BlockSums> backward) {
+    sum_block_with<Lanes<4, 16>>(spheres, epsilon, forward, backward);
 }
-[[gnu::target("avx2,fma,avx512f,prefer-vector-width=512")]] void sum_block_avx512(
+[[gnu::target("avx2,fma,avx512f")]] void sum_block_avx512(
     std::span<const WaveFactors> spheres, std::span<const double> epsilon,
-    std::span<BlockSums> sums) {
-    sum_block_with<Lanes<8>>(spheres, epsilon, sums);
+    std::span<BlockSums> forward, std::span<BlockSums> backward) {
+    sum_block_with<Lanes<8, 32>>(spheres, epsilon, forward, backward);
 }
 #endif
 
@@ -169,10 +221,10 @@ constexpr SumBlockVariant kVariants[] = {
 std::span<const SumBlockVariant> sum_block_variants() { return kVariants; }
 
 void sum_block(std::span<const WaveFactors> spheres, std::span<const double> epsilon,
-               std::span<BlockSums> sums) {
+               std::span<BlockSums> forward, std::span<BlockSums> backward) {
     static const SumBlockVariant& best = *std::find_if(std::begin(kVariants), std::end(kVariants),
                                                        [](auto& v) { return v.is_supported(); });
-    best.sum_block(spheres, epsilon, sums);
+    best.sum_block(spheres, epsilon, forward, backward);
 }
 
 }  // namespace dewbow

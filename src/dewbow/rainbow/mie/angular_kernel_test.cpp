@@ -19,24 +19,42 @@ std::vector<double> some_factors(int orders, int seed) {
     return factors;
 }
 
-/// Σ_n factor × (π_n ± τ_n), and of moduli, by Legendre's recurrence in long double.
-struct Sum {
+/// Σ_n factor × (π_n + sign τ_n) at cosine mu, and of moduli, by Legendre's recurrence in long
+/// double.
+struct DirectSum {
     long double value = 0.0L, moduli = 0.0L;
-};
-Sum direct_sum(const std::vector<double>& factors, std::size_t part, double epsilon, int sign) {
-    const long double mu = 1.0L - epsilon;
-    long double before = 0.0L, pi = 1.0L;
-    Sum sum;
-    for (std::size_t n = 1; 2 * n <= factors.size(); ++n) {
-        const long double tau = n * mu * pi - (n + 1) * before;
-        const long double term = factors[2 * n - 2 + part] * (pi + sign * tau);
-        sum.value += term;
-        sum.moduli += std::abs(term);
-        const long double next = ((2 * n + 1) * mu * pi - (n + 1) * before) / n;
-        before = pi;
-        pi = next;
+    DirectSum(const std::vector<double>& factors, std::size_t part, long double mu, int sign) {
+        long double before = 0.0L, pi = 1.0L;
+        for (std::size_t n = 1; 2 * n <= factors.size(); ++n) {
+            const long double tau = n * mu * pi - (n + 1) * before;
+            const double factor = factors[2 * n - 2 + part];
+            value += factor * (pi + sign * tau);
+            moduli += std::abs(factor) * (std::abs(pi) + std::abs(tau));
+            const long double next = ((2 * n + 1) * mu * pi - (n + 1) * before) / n;
+            before = pi;
+            pi = next;
+        }
     }
-    return sum;
+};
+
+struct Spheres {
+    std::vector<std::vector<double>> plus, minus;
+    std::vector<WaveFactors> factors;
+};
+
+void expect_direct_sums(const Spheres& spheres, const std::vector<double>& epsilon,
+                        const std::vector<BlockSums>& sums, int direction,
+                        std::string_view variant) {
+    for (std::size_t s = 0; s < sums.size(); ++s)
+        for (std::size_t i = 0; i < epsilon.size(); ++i)
+            for (std::size_t part : {0, 1}) {
+                const long double mu = direction * (1.0L - epsilon[i]);
+                const DirectSum p(spheres.plus[s], part, mu, 1), m(spheres.minus[s], part, mu, -1);
+                ASSERT_NEAR(sums[s].plus[part][i], double(p.value), kRounding * p.moduli)
+                    << variant << ", sphere " << s << ", angle " << i << ", " << direction;
+                ASSERT_NEAR(sums[s].minus[part][i], double(m.value), kRounding * m.moduli)
+                    << variant << ", sphere " << s << ", angle " << i << ", " << direction;
+            }
 }
 
 TEST(SumBlock, AllInstructionSetsAgreeWithTheDirectSum) {
@@ -44,28 +62,22 @@ TEST(SumBlock, AllInstructionSetsAgreeWithTheDirectSum) {
     // multiple of what stays in registers, one empty.
     std::vector<double> epsilon{0.0, 1e-18, 1e-9, 1e-4};
     for (int i = 1; i <= 40; ++i) epsilon.push_back(i / 40.0);
-    const int lengths[] = {100, 1, 32, 33, 0, 97};
-    std::vector<std::vector<double>> plus, minus;
-    std::vector<WaveFactors> spheres;
-    for (int orders : lengths) {
-        plus.push_back(some_factors(orders, 1));
-        minus.push_back(some_factors(orders, 2));
+    Spheres spheres;
+    for (int orders : {100, 1, 40, 41, 0, 97}) {
+        spheres.plus.push_back(some_factors(orders, 1));
+        spheres.minus.push_back(some_factors(orders, 2));
     }
-    for (std::size_t s = 0; s < plus.size(); ++s) spheres.push_back({plus[s], minus[s]});
+    const std::size_t count = spheres.plus.size();
+    for (std::size_t s = 0; s < count; ++s)
+        spheres.factors.push_back({spheres.plus[s], spheres.minus[s]});
     for (const SumBlockVariant& variant : sum_block_variants()) {
         if (!variant.is_supported()) continue;
-        std::vector<BlockSums> sums(spheres.size());
-        variant.sum_block(spheres, epsilon, sums);
-        for (std::size_t s = 0; s < spheres.size(); ++s)
-            for (std::size_t i = 0; i < epsilon.size(); ++i)
-                for (std::size_t part : {0, 1}) {
-                    const Sum p = direct_sum(plus[s], part, epsilon[i], 1);
-                    const Sum m = direct_sum(minus[s], part, epsilon[i], -1);
-                    ASSERT_NEAR(sums[s].plus[part][i], double(p.value), kRounding * p.moduli)
-                        << variant.name << ", sphere " << s << ", angle " << i;
-                    ASSERT_NEAR(sums[s].minus[part][i], double(m.value), kRounding * p.moduli)
-                        << variant.name << ", sphere " << s << ", angle " << i;
-                }
+        for (const auto& [forwards, backwards] : {std::pair(count, count), {count, 0}, {0, count}}) {
+            std::vector<BlockSums> forward(forwards), backward(backwards);
+            variant.sum_block(spheres.factors, epsilon, forward, backward);
+            expect_direct_sums(spheres, epsilon, forward, 1, variant.name);
+            expect_direct_sums(spheres, epsilon, backward, -1, variant.name);
+        }
     }
 }
 
@@ -73,10 +85,10 @@ TEST(SumBlock, ChoosesTheFirstThatTheProcessorHas) {
     const std::vector<double> epsilon{0.3}, factors = some_factors(50, 3);
     const WaveFactors sphere{factors, factors};
     BlockSums chosen, expected;
-    sum_block({&sphere, 1}, epsilon, {&chosen, 1});
+    sum_block({&sphere, 1}, epsilon, {&chosen, 1}, {});
     for (const SumBlockVariant& variant : sum_block_variants())
         if (variant.is_supported()) {
-            variant.sum_block({&sphere, 1}, epsilon, {&expected, 1});
+            variant.sum_block({&sphere, 1}, epsilon, {&expected, 1}, {});
             break;
         }
     EXPECT_EQ(chosen.plus[0][0], expected.plus[0][0]);
