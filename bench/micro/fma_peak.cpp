@@ -6,7 +6,7 @@
 namespace dewbow::bench {
 namespace {
 
-constexpr int kChains = 16, kRounds = 200000;
+constexpr int kChains = 16, kRounds = 1000000;
 
 template <int kLanes>
 struct Lanes {

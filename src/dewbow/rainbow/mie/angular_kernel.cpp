@@ -148,7 +148,8 @@ DEWBOW_INLINE void add_table(int count, const Table& table, const double* straig
                                  alternating_sum);
         return;
     }
-    if (straight_sum) add_table<L, true, false>(count, table, straight, nullptr, straight_sum, nullptr);
+    if (straight_sum)
+        add_table<L, true, false>(count, table, straight, nullptr, straight_sum, nullptr);
     if (alternating_sum)
         add_table<L, false, true>(count, table, nullptr, alternating, nullptr, alternating_sum);
 }
@@ -200,9 +201,10 @@ void sum_block_plain(std::span<const WaveFactors> spheres, std::span<const doubl
                                                 std::span<BlockSums> backward) {
     sum_block_with<Lanes<4, 16>>(spheres, epsilon, forward, backward);
 }
-[[gnu::target("avx2,fma,avx512f")]] void sum_block_avx512(
-    std::span<const WaveFactors> spheres, std::span<const double> epsilon,
-    std::span<BlockSums> forward, std::span<BlockSums> backward) {
+[[gnu::target("avx2,fma,avx512f")]] void sum_block_avx512(std::span<const WaveFactors> spheres,
+                                                          std::span<const double> epsilon,
+                                                          std::span<BlockSums> forward,
+                                                          std::span<BlockSums> backward) {
     sum_block_with<Lanes<8, 32>>(spheres, epsilon, forward, backward);
 }
 #endif

@@ -72,7 +72,8 @@ TEST(SumBlock, AllInstructionSetsAgreeWithTheDirectSum) {
         spheres.factors.push_back({spheres.plus[s], spheres.minus[s]});
     for (const SumBlockVariant& variant : sum_block_variants()) {
         if (!variant.is_supported()) continue;
-        for (const auto& [forwards, backwards] : {std::pair(count, count), {count, 0}, {0, count}}) {
+        for (const auto& [forwards, backwards] :
+             {std::pair(count, count), {count, 0}, {0, count}}) {
             std::vector<BlockSums> forward(forwards), backward(backwards);
             variant.sum_block(spheres.factors, epsilon, forward, backward);
             expect_direct_sums(spheres, epsilon, forward, 1, variant.name);

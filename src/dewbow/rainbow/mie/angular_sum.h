@@ -20,8 +20,9 @@ class AngularSum {
 public:
     explicit AngularSum(std::span<const Angle> theta);
 
-    /// S_1 = Σ c_n (a_n π_n + b_n τ_n), S_2 = Σ c_n (a_n τ_n + b_n π_n), c_n = (2n+1) / (n(n+1)), of
-    /// several spheres into `out`: [sphere][angle], row-major. Spheres of one call share π_n, τ_n.
+    /// S_1 = Σ c_n (a_n π_n + b_n τ_n), S_2 = Σ c_n (a_n τ_n + b_n π_n), c_n = (2n+1) / (n(n+1)),
+    /// of several spheres into `out`: [sphere][angle], row-major. Spheres of one call share π_n,
+    /// τ_n.
     ///                                                          [Bohren & Huffman 1983, eq. 4.74]
     void sum(std::span<const PartialWaves> spheres, std::span<Amplitudes> out);
 
@@ -37,7 +38,7 @@ private:
     std::size_t angles_;
     std::vector<FoldedAngle> folded_;
     std::vector<Factors> buffers_;
-    std::vector<WaveFactors> factors_;          ///< [sphere]
+    std::vector<WaveFactors> factors_;           ///< [sphere]
     std::vector<BlockSums> forward_, backward_;  ///< [sphere] of one block, or empty
 };
 
