@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/rainbow/self_test/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dewbow/rainbow/mie/angular_sum.h"
@@ -23,10 +24,11 @@ void Comparison::bound(std::string quantity, double computed, double allowed) {
 }
 
 void Comparison::add_worst(const Rows& all) {
-    const SelfTestRow* worst = &all.front();
-    for (const SelfTestRow& row : all) {
-        if (!(row.error <= worst->error)) worst = &row;  // NaN is worst
-    }
+    // NaN is worse than any number.
+    const auto better = [](const SelfTestRow& a, const SelfTestRow& b) {
+        return std::isnan(b.error) ? !std::isnan(a.error) : a.error < b.error;
+    };
+    const auto worst = std::max_element(all.begin(), all.end(), better);
     rows_.push_back(*worst);
 }
 
