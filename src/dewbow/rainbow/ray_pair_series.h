@@ -19,7 +19,7 @@ inline constexpr double kLowestBowIndex = 1.30, kHighestBowIndex = 1.36;
 class RayPairSeries {
 public:
     /// Throws InputError for n outside kLowestBowIndex to kHighestBowIndex, p outside 2 to 7.
-    /// Cost: 5 µs; the first of an order 5 ms.
+    /// Cost: 1 µs; the first of an order 4 ms.
     RayPairSeries(RelativeIndex n, int p);
 
     const BowGeometry& geometry() const { return geometry_; }

@@ -29,7 +29,7 @@ std::unique_ptr<ScatteringModel> make_uniform_airy(const ModelOptions& options) 
 BowError uniform_airy_error(RelativeIndex n, int p, double x) {
     const double cosine = std::cos(bow_geometry(n, p).incidence);
     const double y = x * cosine * cosine * cosine;
-    return {16.0 / (y * (y + 20.0)), 80.0 / (y * (y + 25.0))};
+    return {18.0 / (y * (y + 20.0)), 80.0 / (y * (y + 25.0))};
 }
 
 }  // namespace dewbow

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/rainbow/uniform_airy.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "dewbow/base/error.h"
+#include "dewbow/rainbow/airy.h"
 #include "dewbow/rainbow/debye.h"
 #include "dewbow/rainbow/descartes.h"
 #include "dewbow/rainbow/drop_ray.h"
@@ -44,27 +46,29 @@ ModelOptions of_order(int p) {
     return options;
 }
 
-/// Errors against the Debye series at some angles: root mean squares, over the greatest value.
+/// Errors of a model against the Debye series, over the greatest value on the order's main bow:
+/// root mean squares over angles evenly spread between two numbers of Airy units.
 struct Errors {
     double perpendicular = 0.0, parallel = 0.0, unpolarised = 0.0;  ///< of |S|²
-    double amplitude_1 = 0.0, amplitude_2 = 0.0;                    ///< of S
+    double largest = 0.0;                         ///< of |S|² unpolarised, the worst angle
+    double amplitude_1 = 0.0, amplitude_2 = 0.0;  ///< of S
 };
-Errors errors(double n, int p, double x, double from, double to) {
+using MakeModel = std::unique_ptr<ScatteringModel> (*)(const ModelOptions&);
+Errors errors(double n, int p, double x, double from, double to,
+              MakeModel make = make_uniform_airy) {
     constexpr int kAngles = 160;
-    // Peaks lie on the main bow.
-    const std::vector<Angle> main = airy_units(n, p, x, 0.5, 1.5, 40);
+    const std::vector<Angle> main = airy_units(n, p, x, 0.0, 1.9, 60);
     const std::vector<Angle> theta = airy_units(n, p, x, from, to, kAngles);
     const auto debye = make_debye(of_order(p));
     const auto exact = amplitudes_of(*debye, n, x, theta),
                at_peak = amplitudes_of(*debye, n, x, main);
-    const auto found = amplitudes_of(*make_uniform_airy(of_order(p)), n, x, theta);
+    const auto found = amplitudes_of(*make(of_order(p)), n, x, theta);
     double s = 0.0, q = 0.0, both = 0.0;
-    for (const auto* list : {&exact, &at_peak})
-        for (const Amplitudes& a : *list) {
-            s = std::max(s, std::norm(a.perpendicular));
-            q = std::max(q, std::norm(a.parallel));
-            both = std::max(both, std::norm(a.perpendicular) + std::norm(a.parallel));
-        }
+    for (const Amplitudes& a : at_peak) {
+        s = std::max(s, std::norm(a.perpendicular));
+        q = std::max(q, std::norm(a.parallel));
+        both = std::max(both, std::norm(a.perpendicular) + std::norm(a.parallel));
+    }
     Errors sum;
     for (std::size_t i = 0; i < theta.size(); ++i) {
         const double ds = std::norm(found[i].perpendicular) - std::norm(exact[i].perpendicular);
@@ -72,6 +76,7 @@ Errors errors(double n, int p, double x, double from, double to) {
         sum.perpendicular += ds * ds / (s * s);
         sum.parallel += dq * dq / (q * q);
         sum.unpolarised += (ds + dq) * (ds + dq) / (both * both);
+        sum.largest = std::max(sum.largest, std::abs(ds + dq) / both);
         sum.amplitude_1 += std::norm(found[i].perpendicular - exact[i].perpendicular) / s;
         sum.amplitude_2 += std::norm(found[i].parallel - exact[i].parallel) / q;
     }
@@ -79,6 +84,12 @@ Errors errors(double n, int p, double x, double from, double to) {
          {&sum.perpendicular, &sum.parallel, &sum.unpolarised, &sum.amplitude_1, &sum.amplitude_2})
         *e = std::sqrt(*e / theta.size());
     return sum;
+}
+
+/// The last Airy unit with two rays, at most 8.
+double last_unit(double n, int p, double x) {
+    const BowGeometry bow = bow_geometry({n}, p);
+    return std::min(8.0, 0.99 * bow.span / std::cbrt(bow.curvature / (x * x)));
 }
 
 TEST(UniformAiry, PrimaryBowAgainstDebye) {
@@ -114,18 +125,38 @@ TEST(UniformAiry, TermsInOneOverXMakeErrorsFallFaster) {
     EXPECT_GT(at_1000 / at_4000, 8.0);
 }
 
+/// uniform_airy_error() as an upper bound on both regions, up to where it is 20 %.
+void expect_stated_error(double n, int p, double x) {
+    const BowError stated = uniform_airy_error({n}, p, x);
+    if (stated.main_bow > 0.2) return;
+    EXPECT_LT(errors(n, p, x, -2.0, 1.9).unpolarised, stated.main_bow) << n << " " << p << " " << x;
+    EXPECT_LT(errors(n, p, x, 1.9, last_unit(n, p, x)).unpolarised, stated.fringes)
+        << n << " " << p << " " << x;
+}
+
 TEST(UniformAiry, HigherOrdersKeepTheStatedError) {
-    // uniform_airy_error() as an upper bound, on both regions, up to where it is 20 %.
     for (int p : {2, 3, 4, 5})
-        for (double x : {300.0, 1000.0, 5000.0}) {
-            const BowError stated = uniform_airy_error({1.333}, p, x);
-            if (stated.main_bow > 0.2) continue;
-            EXPECT_LT(errors(1.333, p, x, -2.0, 1.9).unpolarised, stated.main_bow) << p << " " << x;
-            const DescartesRay bow = descartes_ray({1.333}, p);
-            const double span = bow_geometry({1.333}, p).span;
-            const double end = std::min(8.0, 0.99 * span / std::cbrt(bow.airy_constant / (x * x)));
-            EXPECT_LT(errors(1.333, p, x, 1.9, end).unpolarised, stated.fringes) << p << " " << x;
-        }
+        for (double x : {300.0, 1000.0, 5000.0}) expect_stated_error(1.333, p, x);
+}
+
+// Prints the table of docs/rainbow-models.md.
+TEST(LongUniformAiry, TableOfErrors) {
+    for (int p : {2, 3, 4, 5, 6, 7})
+        for (double n : {1.30, 1.325, 1.333, 1.345, 1.36})
+            for (double x : {300.0, 1000.0, 3000.0, 5712.0, 20000.0}) {
+                expect_stated_error(n, p, x);
+                const Errors main = errors(n, p, x, -2.0, 1.9);
+                const double end = last_unit(n, p, x);
+                const Errors fringes = end > 2.5 ? errors(n, p, x, 1.9, end) : Errors{};
+                const Errors airy = errors(n, p, x, -2.0, std::min(1.9, end), make_airy);
+                fmt::print(
+                    "| {} | {} | {:.0f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | "
+                    "{:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} |\n",
+                    p, n, x, 100.0 * main.perpendicular, 100.0 * main.parallel,
+                    100.0 * main.unpolarised, 100.0 * main.largest, end,
+                    100.0 * fringes.perpendicular, 100.0 * fringes.parallel,
+                    100.0 * fringes.unpolarised, 100.0 * airy.perpendicular, 100.0 * airy.parallel);
+            }
 }
 
 TEST(UniformAiry, BeyondTheGrazingRayOneRayIsLeft) {

@@ -37,7 +37,7 @@ TwoRayRegion two_ray_region(RelativeIndex n, int p);
 /// ray is small, and fade out there.
 class UniformBow final : public BowPattern {
 public:
-    /// Throws InputError as RayPairSeries. Cost: 5 µs; the first of an order 5 ms.
+    /// Throws InputError as RayPairSeries. Cost: 1 µs; the first of an order 4 ms.
     UniformBow(RelativeIndex n, int p) : pairs_(n, p) {}
 
     const RayPairSeries& pairs() const { return pairs_; }
