@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
 
 #include "dewbow/base/error.h"
+#include "dewbow/base/file.h"
 #include "dewbow/rainbow/embedded_data.h"
 #include "dewbow/rainbow/mie/angular_sum.h"
 #include "dewbow/spectrum/csv_table.h"
@@ -91,6 +93,39 @@ TEST(MieWaves, AmplitudesOfMiev0) {
         expect_close(S.perpendicular, {rows[2][i], -rows[3][i]}, tolerance, name + ", S1");
         expect_close(S.parallel, {rows[4][i], -rows[5][i]}, tolerance, name + ", S2");
     }
+}
+
+// ---- fifty digits: tests/reference/mie_indices_50_digits.csv
+// ----------------------------------------
+
+PartialWaves waves_of_row(const std::vector<std::string>& row) {
+    const double x = std::stod(row[0]), n = std::stod(row[1]);
+    return std::isinf(n) ? conductor_waves(x) : mie_waves({n, std::stod(row[2])}, x);
+}
+
+TEST(MieWaves, FiftyDigitsAtManyIndices) {
+    // Found: efficiencies 9e-16, g 3e-15, amplitudes 1e-12 of the greater one at the angle, of x =
+    // 3000.
+    constexpr double kEfficiency = 1e-14, kAsymmetry = 1e-13, kAmplitude = 1e-11;
+    std::size_t amplitudes = 0;
+    for (const auto& row :
+         rows_of_csv(read_file(DEWBOW_SOURCE_DIR "/tests/reference/mie_indices_50_digits.csv"),
+                     "x,n,k,quantity,angle_deg,re,im")) {
+        const std::string name = row[0] + ", " + row[1] + " + " + row[2] + "i: " + row[3];
+        const PartialWaves waves = waves_of_row(row);
+        const Efficiencies Q = efficiencies_of(waves, std::stod(row[0]));
+        const Complex expected{std::stod(row[5]), std::stod(row[6])};
+        if (row[3] == "qext") expect_close(Q.extinction, expected, kEfficiency, name);
+        if (row[3] == "qsca") expect_close(Q.scattering, expected, kEfficiency, name);
+        if (row[3] == "g") expect_close(Q.asymmetry, expected, kAsymmetry, name);
+        if (row[4].empty()) continue;
+        const Amplitudes S = amplitudes_at(waves, std::stod(row[4]) * deg);
+        const double local = std::max(std::abs(S.perpendicular), std::abs(S.parallel));
+        const Complex found = row[3] == "S1" ? S.perpendicular : S.parallel;
+        EXPECT_LE(std::abs(found - expected), kAmplitude * local) << name << " at " << row[4];
+        ++amplitudes;
+    }
+    EXPECT_EQ(amplitudes, 16u * 12u);
 }
 
 // ---- other published numbers
