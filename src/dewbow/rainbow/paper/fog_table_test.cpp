@@ -100,6 +100,20 @@ TEST(FogTable, ColoursRunAsInTheSky) {
         for (std::size_t c : {1u, 2u}) EXPECT_NEAR(at(r)[c] / at(r)[0], 1.0, 0.12) << r;
 }
 
+TEST(FogTable, RingsAreWiderInTheViolet) {
+    // "More widely spaced … in the violet": the last two rings of the primary over the first two.
+    constexpr double kTwoDigits = 0.05;
+    const auto ratio = [](SpectralSpacing spacing) {
+        const auto radius = [&](int k) {
+            const Wavelength lambda = paper_wavelength((k + 0.5) / kPaperSamples, spacing);
+            return descartes_ray(paper_index({}, lambda), 2).radius();
+        };
+        return (radius(11) - radius(12)) / (radius(0) - radius(1));
+    };
+    EXPECT_NEAR(ratio(SpectralSpacing::wavelength), 6.2, kTwoDigits);
+    EXPECT_NEAR(ratio(SpectralSpacing::frequency), 1.8, kTwoDigits);
+}
+
 TEST(FogTable, JitteredWavelengthsMergeTheRings) {
     PaperMethod method;
     method.kernel = SunKernel::none;
