@@ -11,12 +11,14 @@ namespace dewbow {
 namespace {
 
 // Sizes in pixels of the picture.
-constexpr double kWidth = 620, kHeight = 470;
 constexpr double kLeft = 78, kRight = 22, kTop = 46, kBottom = 64;
 constexpr double kFont = 13, kTitleFont = 16, kBandHeight = 10, kTick = 6;
 constexpr double kLetterWidth = 0.58;  ///< of the font's size: the mean of a sans serif
 constexpr int kTicks = 7;
 constexpr double kLineHeight = 15, kLabelGap = 6;
+/// Points of a curve that lie nearer to a line through others are left out.
+constexpr double kFinest = 0.1;
+constexpr double kMostDecades = 12;
 
 constexpr const char* kInk = "#333";
 constexpr const char* kGrid = "#e6e6e6";
@@ -50,6 +52,63 @@ double text_width(const std::string& text) {
     return kLetterWidth * kFont * static_cast<double>(letters);
 }
 
+std::string base64(const std::string& bytes) {
+    constexpr const char* kLetters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8 | (i + k < bytes.size() ? std::uint8_t(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += i + k > bytes.size() ? '=' : kLetters[three >> (18 - 6 * k) & 63u];
+    }
+    return text;
+}
+
+/// "10⁻³", "2·10⁻³", "20"
+std::string power_text(double value) {
+    constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    if (value >= 0.1 && value < 1e4) return fmt::format("{:g}", value);
+    const auto exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+    const double factor = value / std::pow(10.0, exponent);
+    std::string text = factor < 1.5 ? "10" : fmt::format("{:.0f}·10", factor);
+    if (exponent < 0) text += "⁻";
+    for (const char digit : std::to_string(std::abs(exponent))) text += kDigits[digit - '0'];
+    return text;
+}
+
+double distance_to_line(PlotPoint p, PlotPoint a, PlotPoint b) {
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (length == 0.0) return std::hypot(p.x - a.x, p.y - a.y);
+    return std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length;
+}
+
+/// The points of a line without those that nobody would miss: each that is left out lies within
+/// kFinest of the line through its neighbours that stay.           [Ramer 1972; Douglas & Peucker]
+std::vector<PlotPoint> simplified(const std::vector<PlotPoint>& points) {
+    std::vector<bool> stays(points.size(), false);
+    stays.front() = stays.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+    while (!open.empty()) {
+        const auto [first, last] = open.back();
+        open.pop_back();
+        std::size_t farthest = first;
+        double most = kFinest;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double d = distance_to_line(points[i], points[first], points[last]);
+            if (d > most) most = d, farthest = i;
+        }
+        if (farthest == first) continue;
+        stays[farthest] = true;
+        open.insert(open.end(), {{first, farthest}, {farthest, last}});
+    }
+    std::vector<PlotPoint> kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (stays[i]) kept.push_back(points[i]);
+    return kept;
+}
+
 struct Box {
     double left, top, right, bottom;
     bool overlaps(const Box& o) const {
@@ -67,7 +126,7 @@ std::string text_element(double x, double y, const char* anchor, const std::stri
 double label_margin(const PlotPanel& panel) {
     double widest = 0.0;
     for (const PlotCurve& curve : panel.curves) widest = std::max(widest, text_width(curve.label));
-    return widest > 0.0 ? widest + kLabelGap : kRight;
+    return widest > 0.0 ? widest + 2.0 * kLabelGap : kRight;
 }
 
 class PanelWriter {
@@ -75,13 +134,15 @@ public:
     PanelWriter(const PlotPanel& panel, double left, std::size_t number)
         : panel_(panel),
           number_(number),
-          area_{left + kLeft, kTop, left + kWidth - label_margin(panel), kHeight - kBottom} {}
+          area_{left + kLeft, kTop, left + panel.width - label_margin(panel),
+                panel.height - kBottom} {}
 
     std::string write() {
         out_ += fmt::format(
             "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\" font-size=\"{}\" "
             "fill=\"{}\">{}</text>\n",
             0.5 * (area_.left + area_.right), kTop - 18, kTitleFont, kInk, escaped(panel_.title));
+        write_picture();
         write_axes();
         write_band();
         out_ += fmt::format("<g clip-path=\"url(#area{})\">\n", number_);
@@ -98,17 +159,27 @@ public:
     }
 
 private:
+    /// 0 at the axis's beginning, 1 at its end.
+    static double share_of(const PlotAxis& axis, double value) {
+        if (!axis.logarithmic) return (value - axis.from) / (axis.to - axis.from);
+        return std::log(value / axis.from) / std::log(axis.to / axis.from);
+    }
     double x_of(double x) const {
-        const PlotAxis& axis = panel_.x;
-        return area_.left + (x - axis.from) / (axis.to - axis.from) * (area_.right - area_.left);
+        return area_.left + share_of(panel_.x, x) * (area_.right - area_.left);
     }
     double y_of(double y) const {
-        const PlotAxis& axis = panel_.y;
-        return area_.bottom - (y - axis.from) / (axis.to - axis.from) * (area_.bottom - area_.top);
+        return area_.bottom - share_of(panel_.y, y) * (area_.bottom - area_.top);
     }
 
     static std::vector<double> ticks_of(const PlotAxis& axis) {
-        return round_ticks(std::min(axis.from, axis.to), std::max(axis.from, axis.to), kTicks);
+        if (!axis.ticks) return {};
+        const double low = std::min(axis.from, axis.to), high = std::max(axis.from, axis.to);
+        return axis.logarithmic ? decade_ticks(low, high) : round_ticks(low, high, kTicks);
+    }
+    static std::string tick_text(const PlotAxis& axis, const std::vector<double>& ticks,
+                                 double tick) {
+        if (axis.logarithmic) return power_text(tick);
+        return fmt::format("{:.{}f}", tick, decimals_of(ticks));
     }
     /// As many decimals as tell the ticks apart.
     static int decimals_of(const std::vector<double>& ticks) {
@@ -130,16 +201,16 @@ private:
             number_, area_.left, area_.top, area_.right - area_.left, area_.bottom - area_.top);
         const auto x_ticks = ticks_of(panel_.x), y_ticks = ticks_of(panel_.y);
         for (const double x : x_ticks) {
-            line(x_of(x), area_.top, x_of(x), area_.bottom, kGrid);
+            if (!panel_.picture) line(x_of(x), area_.top, x_of(x), area_.bottom, kGrid);
             line(x_of(x), area_.bottom, x_of(x), area_.bottom + kTick, kInk);
             out_ += text_element(x_of(x), area_.bottom + kTick + kFont + 2, "middle",
-                                 fmt::format("{:.{}f}", x, decimals_of(x_ticks)), kInk);
+                                 tick_text(panel_.x, x_ticks, x), kInk);
         }
         for (const double y : y_ticks) {
-            line(area_.left, y_of(y), area_.right, y_of(y), kGrid);
+            if (!panel_.picture) line(area_.left, y_of(y), area_.right, y_of(y), kGrid);
             line(area_.left - kTick, y_of(y), area_.left, y_of(y), kInk);
             out_ += text_element(area_.left - kTick - 4, y_of(y) + 0.35 * kFont, "end",
-                                 fmt::format("{:.{}f}", y, decimals_of(y_ticks)), kInk);
+                                 tick_text(panel_.y, y_ticks, y), kInk);
         }
         out_ += fmt::format(
             "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
@@ -169,14 +240,41 @@ private:
         taken_.push_back({area_.left, area_.bottom - kBandHeight, area_.right, area_.bottom});
     }
 
-    void write_curve(const PlotCurve& curve) {
-        std::string points;
-        for (const PlotPoint& p : curve.points)
-            points += fmt::format("{:.2f},{:.2f} ", x_of(p.x), y_of(p.y));
+    void write_picture() {
+        if (!panel_.picture) return;
+        const PlotPicture& p = *panel_.picture;
+        const double left = x_of(p.left), right = x_of(p.right);
+        const double top = y_of(p.top), bottom = y_of(p.bottom);
         out_ += fmt::format(
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" "
+            "<image x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+            "preserveAspectRatio=\"none\" href=\"data:image/png;base64,{}\"/>\n",
+            left, top, right - left, bottom - top, base64(p.png));
+    }
+
+    /// Each run of points that are finite is a line of its own.
+    void write_curve(const PlotCurve& curve) {
+        std::vector<PlotPoint> run;
+        for (const PlotPoint& p : curve.points) {
+            const PlotPoint at{x_of(p.x), y_of(p.y)};
+            if (std::isfinite(at.x) && std::isfinite(at.y)) {
+                run.push_back(at);
+                continue;
+            }
+            write_line(curve, run);
+            run.clear();
+        }
+        write_line(curve, run);
+    }
+
+    void write_line(const PlotCurve& curve, const std::vector<PlotPoint>& run) {
+        if (run.size() < 2) return;
+        std::string points;
+        for (const PlotPoint& p : simplified(run))
+            points += fmt::format("{:.2f},{:.2f} ", p.x, p.y);
+        out_ += fmt::format(
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
             "stroke-linejoin=\"round\"{}/>\n",
-            points, curve.colour, curve.dashed ? " stroke-dasharray=\"5 4\"" : "");
+            points, curve.colour, curve.width, curve.dashed ? " stroke-dasharray=\"5 4\"" : "");
     }
 
     /// Right of the area, at the height of the curves' ends, pushed apart where they are too near.
@@ -186,9 +284,14 @@ private:
             double y;
         };
         std::vector<Label> labels;
-        for (const PlotCurve& curve : panel_.curves)
-            if (!curve.label.empty() && !curve.points.empty())
-                labels.push_back({&curve, y_of(curve.points.back().y)});
+        for (const PlotCurve& curve : panel_.curves) {
+            const auto last =
+                std::find_if(curve.points.rbegin(), curve.points.rend(), [&](const PlotPoint& p) {
+                    return std::isfinite(x_of(p.x)) && std::isfinite(y_of(p.y));
+                });
+            if (curve.label.empty() || last == curve.points.rend()) continue;
+            labels.push_back({&curve, std::clamp(y_of(last->y), area_.top, area_.bottom)});
+        }
         std::stable_sort(labels.begin(), labels.end(),
                          [](const Label& a, const Label& b) { return a.y < b.y; });
         for (std::size_t i = 1; i < labels.size(); ++i)
@@ -257,6 +360,22 @@ std::vector<double> round_ticks(double low, double high, int count) {
     return ticks;
 }
 
+std::vector<double> decade_ticks(double low, double high) {
+    const double first = std::floor(std::log10(low) + 1e-9);
+    const double last = std::ceil(std::log10(high) - 1e-9);
+    const double step = std::ceil((last - first) / kMostDecades);
+    const auto inside = [&](double value) {
+        return value >= low * (1.0 - 1e-9) && value <= high * (1.0 + 1e-9);
+    };
+    std::vector<double> powers, all;
+    for (double k = first; k <= last; k += std::max(step, 1.0)) {
+        if (inside(std::pow(10.0, k))) powers.push_back(std::pow(10.0, k));
+        for (const double factor : {1.0, 2.0, 5.0})
+            if (inside(factor * std::pow(10.0, k))) all.push_back(factor * std::pow(10.0, k));
+    }
+    return powers.size() < 2 ? all : powers;
+}
+
 std::string plot_colour(std::size_t index) {
     constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#00845f", "#a0478a",
                                                   "#8a6d00", "#2f88c4", "#000000"};
@@ -264,16 +383,23 @@ std::string plot_colour(std::size_t index) {
 }
 
 std::string svg_of(std::span<const PlotPanel> panels) {
-    const double width = kWidth * static_cast<double>(panels.size());
+    double width = 0.0, height = 0.0;
+    for (const PlotPanel& panel : panels) {
+        width += panel.width;
+        height = std::max(height, panel.height);
+    }
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"DejaVu Sans, Verdana, sans-serif\" "
         "font-size=\"{2}\">\n<style>text {{ paint-order: stroke; stroke: white; stroke-width: 3px; "
         "stroke-linejoin: round }}</style>\n<rect width=\"100%\" height=\"100%\" "
         "fill=\"white\"/>\n",
-        width, kHeight, kFont);
-    for (std::size_t i = 0; i < panels.size(); ++i)
-        out += PanelWriter(panels[i], kWidth * static_cast<double>(i), i).write();
+        width, height, kFont);
+    double left = 0.0;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        out += PanelWriter(panels[i], left, i).write();
+        left += panels[i].width;
+    }
     return out + "</svg>\n";
 }
 

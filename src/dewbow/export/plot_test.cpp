@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace dewbow {
 namespace {
 
@@ -68,6 +70,49 @@ TEST(Svg, KeepsLabelsOfCurvesInOrder) {
     // f, s, t: each a little lower than the one before.
     EXPECT_GE(y_of("second") - y_of("first"), 14.9);
     EXPECT_GE(y_of("third") - y_of("second"), 14.9);
+}
+
+TEST(DecadeTicks, ArePowersOfTen) {
+    const auto expect = [](std::vector<double> ticks, std::vector<double> expected) {
+        ASSERT_EQ(ticks.size(), expected.size());
+        for (std::size_t i = 0; i < ticks.size(); ++i)
+            EXPECT_NEAR(ticks[i], expected[i], 1e-12 * expected[i]);
+    };
+    expect(decade_ticks(1e-3, 1.0), {1e-3, 1e-2, 1e-1, 1.0});
+    expect(decade_ticks(0.5, 30.0), {1.0, 10.0});
+    expect(decade_ticks(1.5, 9.0), {2.0, 5.0});
+    EXPECT_LE(decade_ticks(1e-20, 1e20).size(), 13u);
+}
+
+TEST(Svg, HasLogarithmicAxes) {
+    PlotPanel p = panel();
+    p.y = {"P", 1e-2, 1.0, true};
+    p.curves[0].points = {{400.0, 0.1}, {700.0, 1.0}};
+    const std::string svg = svg_of({&p, 1});
+    EXPECT_NE(svg.find("points=\"78.00,226.00 598.00,46.00 \""), std::string::npos) << svg;
+    EXPECT_NE(svg.find(">10⁻²<"), std::string::npos);
+}
+
+/// What is not a number leaves a gap, and what lies on a line takes no room.
+TEST(Svg, LeavesGapsAndDropsWhatNobodyWouldMiss) {
+    PlotPanel p = panel();
+    p.curves[0].points.clear();
+    for (int i = 0; i <= 300; ++i) p.curves[0].points.push_back({400.0 + i, i == 100 ? NAN : 1.5});
+    const std::string svg = svg_of({&p, 1});
+    EXPECT_NE(svg.find("points=\"78.00,226.00 249.60,226.00 \""), std::string::npos) << svg;
+    EXPECT_NE(svg.find("points=\"253.07,226.00 598.00,226.00 \""), std::string::npos) << svg;
+}
+
+/// By the test vectors of RFC 4648, section 10.
+TEST(Svg, HoldsPictures) {
+    const auto holds = [](const std::string& bytes, const std::string& base64) {
+        PlotPanel p = panel();
+        p.picture = PlotPicture{bytes, 400.0, 700.0, 1.0, 2.0};
+        return svg_of({&p, 1}).find("base64," + base64 + "\"") != std::string::npos;
+    };
+    EXPECT_TRUE(holds("foobar", "Zm9vYmFy"));
+    EXPECT_TRUE(holds("fooba", "Zm9vYmE="));
+    EXPECT_TRUE(holds("foob", "Zm9vYg=="));
 }
 
 }  // namespace
