@@ -10,6 +10,7 @@
 #include "dewbow/render/output.h"
 #include "glass_command_line.h"
 #include "option_value.h"
+#include "rainbow_command_line.h"
 
 // All values arrive here as text: what a number must be is said by option_value.h in our words, and
 // read without locale.
@@ -26,6 +27,7 @@ constexpr std::string_view kExamples = R"(Examples:
   dewbow render examples/disc.toml                    write disc.exr and disc.png
   dewbow render ring.glb -o ring.png --time 2m        as good as two minutes make it
   dewbow glass show N-SF11                            the index of a glass
+  dewbow rainbow --radius 0.3mm -o curve.csv          what a drop does to light
 `dewbow SUBCOMMAND --help` tells more.)";
 
 constexpr std::string_view kRenderExamples = R"(Examples:
@@ -111,6 +113,7 @@ public:
         add_render();
         add_scene();
         glass_.emplace(app_);
+        rainbow_.emplace(app_);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -136,6 +139,7 @@ public:
         if (render_->parsed()) return render_command();
         if (scene_check_->parsed()) return scene_check_command();
         if (const auto command = glass_->command()) return *command;
+        if (const auto command = rainbow_->command()) return *command;
         throw UsageError("a subcommand is missing", help_hint());
     }
 
@@ -392,6 +396,7 @@ private:
     CLI::App app_;
     CLI::App *render_ = nullptr, *scene_ = nullptr, *scene_check_ = nullptr;
     std::optional<GlassCommandLine> glass_;
+    std::optional<RainbowCommandLine> rainbow_;
     RenderTexts render_texts_;
     SceneTexts scene_check_texts_;
     bool scene_check_json_ = false;

@@ -18,6 +18,7 @@ struct Run {
     int operator()(const GlassCommand& command) const {
         return std::visit([](const auto& subcommand) { return run(subcommand); }, command);
     }
+    int operator()(const RainbowCommand& command) const { return run(command); }
 };
 
 /// Never throws.

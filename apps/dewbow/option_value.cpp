@@ -18,12 +18,6 @@ namespace {
 constexpr int kMaxSide = 65536;
 constexpr double kLongestSeconds = 8760.0 * 3600.0;  // a year
 
-[[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view wanted) {
-    const std::string shown =
-        parse_number<double>(text) ? std::string(text) : fmt::format("\"{}\"", text);
-    throw UsageError(fmt::format("{} is {}; it must be {}", option, shown, wanted));
-}
-
 /// What stands before and after the first `mark`.
 std::optional<std::pair<std::string_view, std::string_view>> split(std::string_view text,
                                                                    char mark) {
@@ -57,36 +51,44 @@ std::optional<PixelPlace> place_from(std::string_view text) {
 
 }  // namespace
 
+void refuse_value(std::string_view option, std::string_view text, std::string_view wanted) {
+    const std::string shown =
+        parse_number<double>(text) ? std::string(text) : fmt::format("\"{}\"", text);
+    throw UsageError(fmt::format("{} is {}; it must be {}", option, shown, wanted));
+}
+
 std::int64_t parse_integer(std::string_view option, std::string_view text, std::int64_t low,
                            std::int64_t high) {
     const auto value = parse_number<std::int64_t>(text);
     if (value && *value >= low && *value <= high) return *value;
-    refuse(option, text, fmt::format("{}{} to {}", value ? "" : "a whole number from ", low, high));
+    refuse_value(option, text,
+                 fmt::format("{}{} to {}", value ? "" : "a whole number from ", low, high));
 }
 
 std::uint64_t parse_seed(std::string_view option, std::string_view text) {
     const auto value = parse_number<std::uint64_t>(text);
     if (value) return *value;
-    refuse(option, text,
-           fmt::format("a whole number from 0 to {}", std::numeric_limits<std::uint64_t>::max()));
+    refuse_value(
+        option, text,
+        fmt::format("a whole number from 0 to {}", std::numeric_limits<std::uint64_t>::max()));
 }
 
 double parse_real(std::string_view option, std::string_view text, double low, double high) {
     const auto value = parse_number<double>(text);
     if (value && *value >= low && *value <= high) return *value;
-    refuse(option, text, fmt::format("{}{} to {}", value ? "" : "a number from ", low, high));
+    refuse_value(option, text, fmt::format("{}{} to {}", value ? "" : "a number from ", low, high));
 }
 
 int parse_packet(std::string_view option, std::string_view text) {
     for (const int lanes : {1, 4, 8, 16})
         if (text == std::to_string(lanes)) return lanes;
-    refuse(option, text, "1, 4, 8 or 16");
+    refuse_value(option, text, "1, 4, 8 or 16");
 }
 
 PictureSize parse_size(std::string_view option, std::string_view text) {
     if (const auto size = size_from(text)) return *size;
-    refuse(option, text,
-           fmt::format("WIDTHxHEIGHT such as 1920x1080, each 1 to {} pixels", kMaxSide));
+    refuse_value(option, text,
+                 fmt::format("WIDTHxHEIGHT such as 1920x1080, each 1 to {} pixels", kMaxSide));
 }
 
 PixelRect parse_crop(std::string_view option, std::string_view text) {
@@ -97,13 +99,14 @@ PixelRect parse_crop(std::string_view option, std::string_view text) {
         if (corner && size)
             return {corner->x, corner->y, corner->x + size->width, corner->y + size->height};
     }
-    refuse(option, text,
-           "X,Y,WIDTHxHEIGHT such as 100,50,640x360, the upper left corner and the size in pixels");
+    refuse_value(
+        option, text,
+        "X,Y,WIDTHxHEIGHT such as 100,50,640x360, the upper left corner and the size in pixels");
 }
 
 PixelPlace parse_pixel(std::string_view option, std::string_view text) {
     if (const auto place = place_from(text)) return *place;
-    refuse(option, text, fmt::format("X,Y such as 12,7, each 0 to {}", kMaxSide - 1));
+    refuse_value(option, text, fmt::format("X,Y such as 12,7, each 0 to {}", kMaxSide - 1));
 }
 
 std::chrono::duration<double> parse_duration(std::string_view option, std::string_view text) {
@@ -117,7 +120,7 @@ std::chrono::duration<double> parse_duration(std::string_view option, std::strin
     }
     const double seconds = parse_number<double>(number).value_or(-1.0) * seconds_per_unit;
     if (seconds > 0.0 && seconds <= kLongestSeconds) return std::chrono::duration<double>(seconds);
-    refuse(option, text, "a time such as 30s, 2m or 1h, above 0 and at most 8760h");
+    refuse_value(option, text, "a time such as 30s, 2m or 1h, above 0 and at most 8760h");
 }
 
 std::string parse_file_name(std::string_view option, std::string_view text,
@@ -130,7 +133,7 @@ std::string parse_file_name(std::string_view option, std::string_view text,
         if (extension == known) return std::string(text);
         endings += (endings.empty() ? "" : " or ") + known;
     }
-    refuse(option, text, "a file name that ends in " + endings);
+    refuse_value(option, text, "a file name that ends in " + endings);
 }
 
 std::size_t parse_word(std::string_view option, std::string_view text,

@@ -14,6 +14,10 @@
 
 namespace dewbow {
 
+/// Throws UsageError: "`option` is `text`; it must be `wanted`".
+[[noreturn]] void refuse_value(std::string_view option, std::string_view text,
+                               std::string_view wanted);
+
 std::int64_t parse_integer(std::string_view option, std::string_view text, std::int64_t low,
                            std::int64_t high);
 std::uint64_t parse_seed(std::string_view option, std::string_view text);

@@ -115,6 +115,46 @@ const std::vector<Option> kGlassOptions{
     {"--plot", {}, {"0", "svg", "a.svgz", "a.png", "/", "."}, "ends in .svg"},
 };
 
+const std::vector<Option> kRainbowOptions{
+    {"--model", {}, {"MIE", "mie,", ",", "mie,mei"}, "--model"},
+    {"--order", {}, {"-1", "8", "2,", "2,9", "1.5"}, "from 0 to 7"},
+    {"--tolerance", {}, {"0", "-1", "1", "2%"}, "between 0.0001 and 0.5"},
+    {"--radius",
+     {},
+     {"0", "0mm", "-1mm", "1m", "11mm", "0.1nm", "nanmm", "infum", "mm", "0.3", "0.3 mm", "0.3in"},
+     "from 1nm to 10mm"},
+    {"--sizes",
+     {},
+     {"0", "0mm", "1m", "normal", "normal:", "normal:mean=1mm", "normal:mean=1mm,width=-1",
+      "normal:mean=1mm,width=nan", "rain:marshall-palmer,rate=0mm/h", "sleet:rate=1mm/h"},
+     "--sizes"},
+    {"--water", {}, {"F55", "water@", "water@200C", "fluid/"}, "--water"},
+    {"--air", {}, {"F55", "water@", "aether"}, "--air"},
+    {"--index",
+     {},
+     {"0", "0.9", "1", "-1.3", "11", "i", "+i", "1.3+i", "1.3-0.1i", "1.3+11i", "1.3+nani", "1.3j"},
+     "n above 1 and at most 10"},
+    {"--size-parameter", {"--index", "1.3"}, {"0", "-1", "50001", "1e-4"}, "0.001 and 50000"},
+    {"--sun-altitude", {}, {"-1", "90.1", "20rad"}, "between 0 and 90"},
+    {"--sun-radius", {}, {"-0.1", "5.1"}, "between 0 and 5"},
+    {"--limb-darkening", {}, {"-0.1", "1.1"}, "between 0 and 1"},
+    {"--illuminant", {}, {"D66", "sun", "5500K"}, "--illuminant"},
+    {"--wavelengths",
+     {},
+     {"0", "-500", "99", "20001", "500,400", "500,500", "500,", "400:700", "400:700:0", "700:400:5",
+      "400:700:5:1", "400:700:-5", "400:700:1e-9", "green"},
+     "between 100 and 20000 nm"},
+    {"--angles",
+     {},
+     {"-1", "180.1", "20,10", "0:180", "0:180:0", "180:0:1", "0:180:1e-9", "0..180"},
+     "between 0 and 180 deg"},
+    {"--polarisation", {}, {"0", "s", "Parallel", "both"}, "--polarisation is"},
+    {"--polariser", {}, {"361", "-361", "90rad"}, "between -360 and 360"},
+    {"--output", {}, {"0", "csv", "a.csvv", "a.exr/", "/", ".", ".."}, "ends in .csv"},
+    {"--plot", {}, {"=", "rays", "rays=", "=a.svg", "rays=a.png", "rais=a.svg"}, "--plot is"},
+    {"--threads", {}, {"-1", "0", "0.5", "1025"}, "1 to 1024"},
+};
+
 /// Names of the options that take a value: in lines such as "  -o,--output FILE   A picture".
 std::set<std::string> options_of_help(const std::vector<std::string>& subcommand) {
     const Folder folder;
@@ -154,6 +194,10 @@ void refuses(const std::vector<std::string>& command, const Option& option,
         << option.name << " \"" << value << '"';
 }
 
+/// Of kNoNumbers, what some options take: lists of two numbers.
+const std::set<std::pair<std::string, std::string>> right_after_all{
+    {"--pixel", "1,5"}, {"--order", "1,5"}, {"--angles", "1,5"}};
+
 void refuse_all(const std::vector<std::string>& command, const std::vector<Option>& options) {
     const Folder folder;
     folder.put("scene.toml", "[film]\nwidth = 8\nheight = 8\n[render]\nsamples_per_pixel = 1\n");
@@ -161,8 +205,8 @@ void refuse_all(const std::vector<std::string>& command, const std::vector<Optio
     const auto before = folder.snapshot();
     for (const Option& option : options) {
         for (const std::string& value : kNoNumbers) {
-            const bool is_place = option.name == "--pixel" && value == "1,5";
-            if (!is_place) refuses(command, option, value, folder);
+            const bool is_right = right_after_all.contains({option.name, value});
+            if (!is_right) refuses(command, option, value, folder);
         }
         for (const std::string& value : option.wrong) refuses(command, option, value, folder);
     }
@@ -172,6 +216,7 @@ void refuse_all(const std::vector<std::string>& command, const std::vector<Optio
 TEST(Options, AllAreInTheTable) {
     EXPECT_EQ(options_of_help({"render"}), names_of(kRenderOptions));
     EXPECT_EQ(options_of_help({"glass", "show"}), names_of(kGlassOptions));
+    EXPECT_EQ(options_of_help({"rainbow"}), names_of(kRainbowOptions));
     for (const std::string& name : options_of_help({"scene", "check"}))
         EXPECT_TRUE(names_of(kRenderOptions).contains(name)) << name;
 }
@@ -179,6 +224,8 @@ TEST(Options, AllAreInTheTable) {
 TEST(Options, OfRenderRefuseAbsurdValues) { refuse_all({"render", "scene.toml"}, kRenderOptions); }
 
 TEST(Options, OfGlassRefuseAbsurdValues) { refuse_all({"glass", "show", "N-BK7"}, kGlassOptions); }
+
+TEST(Options, OfRainbowRefuseAbsurdValues) { refuse_all({"rainbow"}, kRainbowOptions); }
 
 /// The least and the most that an option takes is taken: the limits that messages state are true.
 TEST(Options, LimitsAreTaken) {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rainbow_bow.h"
+
+#include "rainbow_degrees.h"
+
+namespace dewbow {
+
+BowAround bow_of(RainbowTables& tables, const std::vector<Angle>& angles) {
+    const RainbowSetup& setup = tables.setup();
+    const ScatteringTable& table = tables.get(visible_wavelengths(), angles);
+    return {{Angle{}}, {bow_colours(table, *setup.light, *setup.white)}};
+}
+
+BowLook look_of(const RainbowSetup& setup) {
+    BowLook look;
+    look.polariser = setup.storm.polariser;
+    if (setup.polarisation == Polarisation::perpendicular) look.shares.parallel = 0.0;
+    if (setup.polarisation == Polarisation::parallel) look.shares.perpendicular = 0.0;
+    return look;
+}
+
+DisplaySettings display_of(const BowAround& bow, Angle from, Angle to, const RainbowSetup& setup) {
+    return settings_for(colours_between(bow, from, to), *setup.white);
+}
+
+Attributes picture_facts(const RainbowSetup& setup, const DisplaySettings& settings) {
+    Attributes facts = setup.facts();
+    facts.push_back({"dewbow:illuminant", setup.light_name});
+    facts.push_back({"dewbow:sunAltitudeDegrees", degrees_of(setup.sun_altitude)});
+    if (setup.storm.polariser)
+        facts.push_back({"dewbow:polariserDegrees", degrees_of(*setup.storm.polariser)});
+    facts.push_back({"dewbow:exposureStops", settings.exposure_stops});
+    return facts;
+}
+
+}  // namespace dewbow

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rainbow_plots.h"
+
+#include <algorithm>
+
+#include "dewbow/base/check.h"
+#include "rainbow_output.h"
+
+namespace dewbow {
+
+const std::vector<RainbowPlotRow>& rainbow_plots() {
+    static const std::vector<RainbowPlotRow> rows{
+        {"intensity", "phase function by angle, logarithmic", {".svg"}, draw_intensity},
+        {"intensity-linear", "the same, linear", {".svg"}, draw_intensity_linear},
+        {"polarisation", "degree of polarisation by angle", {".svg"}, draw_polarisation},
+        {"rays", "rays through the drop, and their deflection", {".svg"}, draw_rays},
+        {"strip", "colours by angle", {".svg", ".png"}, draw_strip},
+        {"arc", "the bow in the sky, by the sun's altitude", {".svg", ".png"}, draw_arc},
+    };
+    return rows;
+}
+
+std::string rainbow_plot(const std::string& kind, const std::string& file, RainbowTables& tables) {
+    const auto& rows = rainbow_plots();
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const RainbowPlotRow& r) { return r.kind == kind; });
+    DEWBOW_CHECK(row != rows.end(), "the command line knows the kinds of plots");
+    return row->draw(tables, ending_of(file));
+}
+
+}  // namespace dewbow

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rainbow_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "dewbow/base/error.h"
+#include "dewbow/optics/catalogue.h"
+#include "dewbow/rainbow/models.h"
+#include "dewbow/spectrum/lamp.h"
+#include "rainbow_degrees.h"
+
+namespace dewbow {
+namespace {
+
+constexpr const char* kModel = "mie";
+constexpr const char* kWater = "water@20C";
+constexpr const char* kAir = "air";
+constexpr const char* kLight = "D65";
+constexpr Length kRadius = 0.5 * unit::mm;
+constexpr Angle kSunAltitude = 20.0 * unit::deg;
+
+/// Throws InputError for a wavelength that the glass has no data of.
+void check_range(const Glass& glass, const std::vector<Wavelength>& wavelengths) {
+    for (const Wavelength lambda : wavelengths) {
+        const double nm = lambda.to(unit::nm);
+        if (glass.lambda_max_nm <= 0.0 || (nm >= glass.lambda_min_nm && nm <= glass.lambda_max_nm))
+            continue;
+        throw InputError(fmt::format("no index of {} at {} nm: its data are of {:.6g} to {:.6g} nm",
+                                     glass.name, nm, glass.lambda_min_nm, glass.lambda_max_nm));
+    }
+}
+
+DropOptics optics_of(const Storm& storm) {
+    if (storm.index) {
+        const DispersionPtr drop =
+            make_dispersion({"constant", {storm.index->n}, IndexReference::vacuum});
+        return {drop, vacuum(), storm.index->k};
+    }
+    const Glass water = storm.water ? *storm.water : find_glass(kWater);
+    const Glass air = storm.air ? *storm.air : find_glass(kAir);
+    check_range(water, storm.wavelengths);
+    check_range(air, storm.wavelengths);
+    const DropOptics optics{make_dispersion(water.data), make_dispersion(air.data), 0.0};
+    const double n = optics.index(kSodium).value;
+    if (n <= 1.0)
+        throw InputError(
+            fmt::format("drops of {} in {} have the index {:.6g}, which must be above "
+                        "1",
+                        water.name, air.name, n));
+    return optics;
+}
+
+/// The radius of drops of this size parameter in the one wavelength that is asked for.
+Length radius_of(double size_parameter, const Storm& storm, const DropOptics& optics) {
+    if (storm.wavelengths.size() > 1)
+        throw UsageError("--size-parameter is of one wavelength, and several are asked for");
+    const Wavelength lambda = storm.wavelengths.empty() ? kSodium : storm.wavelengths.front();
+    return size_parameter / optics.size_parameter(1.0 * unit::m, lambda) * unit::m;
+}
+
+DropSizesPtr sizes_of(const RainbowCommand& command, const Storm& storm, const DropOptics& optics) {
+    if (command.size_parameter)
+        return single_drop_size(radius_of(*command.size_parameter, storm, optics));
+    return storm.sizes ? storm.sizes : single_drop_size(kRadius);
+}
+
+std::string shown(const std::vector<int>& orders) {
+    if (orders.empty()) return "all";
+    std::string text;
+    for (const int order : orders) text += fmt::format("{}{}", text.empty() ? "" : " ", order);
+    return text;
+}
+
+}  // namespace
+
+Storm storm_of(const RainbowCommand& command) {
+    if (command.storm_file.empty()) return command.options;
+    return with_above(load_storm(command.storm_file), command.options);
+}
+
+RainbowSetup set_up(const RainbowCommand& command) {
+    RainbowSetup setup;
+    setup.storm = storm_of(command);
+    const Storm& storm = setup.storm;
+    setup.models = storm.models.empty() ? std::vector<std::string>{kModel} : storm.models;
+    TableRequest& request = setup.request;
+    request.model = setup.models.front();
+    request.orders = storm.orders;
+    request.tolerance = storm.tolerance.value_or(request.tolerance);
+    request.optics = optics_of(storm);
+    request.sizes = sizes_of(command, storm, request.optics);
+    request.wavelengths = storm.wavelengths;
+    request.angles = storm.angles;
+    request.disc.radius = storm.sun_radius.value_or(kSunRadius);
+    request.disc.limb_darkening = storm.limb_darkening.value_or(0.0);
+    const Lamp& lamp = storm.illuminant ? *storm.illuminant : find_lamp(kLight);
+    setup.light_name = lamp.name;
+    setup.white = setup.light = lamp.spectrum;
+    setup.sun_altitude = storm.sun_altitude.value_or(kSunAltitude);
+    setup.polarisation = storm.polarisation.value_or(Polarisation::unpolarised);
+    setup.cache = command.cache;
+    return setup;
+}
+
+TableRequest RainbowSetup::request_for(const std::string& model,
+                                       const std::vector<Wavelength>& wavelengths,
+                                       const std::vector<Angle>& angles) const {
+    TableRequest other = request;
+    other.model = model;
+    if (other.wavelengths.empty()) other.wavelengths = wavelengths;
+    if (other.angles.empty()) other.angles = angles;
+    return other;
+}
+
+Attributes RainbowSetup::facts() const {
+    const SunDisc& disc = request.disc;
+    Attributes facts{
+        {"dewbow:version", DEWBOW_VERSION},
+        {"dewbow:model", request.model},
+        {"dewbow:orders", shown(request.orders)},
+        {"dewbow:drops", request.sizes->describe()},
+        {"dewbow:indexAt589nm", request.optics.index(kSodium).value},
+        {"dewbow:sunRadiusDegrees", degrees_of(disc.radius)},
+        {"dewbow:limbDarkening", disc.limb_darkening},
+    };
+    if (storm.index) {
+        facts.push_back({"dewbow:index", storm.index->n});
+        facts.push_back({"dewbow:extinctionCoefficient", storm.index->k});
+    } else {
+        facts.push_back({"dewbow:water", storm.water ? storm.water->name : kWater});
+        facts.push_back({"dewbow:air", storm.air ? storm.air->name : kAir});
+    }
+    if (request.model == "auto") facts.push_back({"dewbow:tolerance", request.tolerance});
+    return facts;
+}
+
+}  // namespace dewbow

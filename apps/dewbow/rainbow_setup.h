@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// From what was said about a rainbow to all that is needed to compute it.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "dewbow/image/image.h"
+#include "dewbow/rainbow/scattering_table.h"
+#include "dewbow/spectrum/spectrum.h"
+#include "rainbow_command.h"
+
+namespace dewbow {
+
+/// The mean of sodium's lines D1 and D2 in vacuum, for what is asked of one wavelength.
+inline constexpr Wavelength kSodium = 589.46 * unit::nm;
+
+struct RainbowSetup {
+    Storm storm;                      ///< file and options together
+    std::vector<std::string> models;  ///< at least one
+    TableRequest request;  ///< of the first model; wavelengths and angles as asked for, or empty
+    std::string light_name;
+    SpectrumPtr white;  ///< what looks white
+    SpectrumPtr light;  ///< what reaches the drops; differs from `white` where air reddens it
+    Angle sun_altitude;
+    Polarisation polarisation = Polarisation::unpolarised;
+    bool cache = true;
+
+    /// `request` by another model, and with these where nobody asked for others.
+    TableRequest request_for(const std::string& model, const std::vector<Wavelength>& wavelengths,
+                             const std::vector<Angle>& angles) const;
+    /// What a file has to say about how it was made.
+    Attributes facts() const;
+};
+
+/// Reads the storm file. Throws InputError, UsageError.
+RainbowSetup set_up(const RainbowCommand& command);
+/// File and options together.
+Storm storm_of(const RainbowCommand& command);
+
+}  // namespace dewbow

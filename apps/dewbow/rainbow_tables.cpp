@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rainbow_tables.h"
+
+namespace dewbow {
+namespace {
+
+std::vector<Angle> angles_of(double from, double to, double step) {
+    std::vector<Angle> angles;
+    for (const double degrees : stepped(from, to, step)) angles.push_back(degrees * unit::deg);
+    return angles;
+}
+
+}  // namespace
+
+const ScatteringTable& RainbowTables::get(const std::string& model,
+                                          const std::vector<Wavelength>& wavelengths,
+                                          const std::vector<Angle>& angles) {
+    const TableRequest request = setup_.request_for(model, wavelengths, angles);
+    for (const Entry& entry : entries_)
+        if (entry.model == model && entry.table.wavelengths == request.wavelengths &&
+            entry.table.angles == request.angles)
+            return entry.table;
+    entries_.push_back({model, make_scattering_table(request)});
+    return entries_.back().table;
+}
+
+std::vector<Angle> whole_circle() { return angles_of(0.0, 180.0, 0.1); }
+std::vector<Angle> around_the_bows() { return angles_of(115.0, 155.0, 0.02); }
+std::vector<Angle> half_the_sky() { return angles_of(90.0, 180.0, 0.05); }
+
+std::vector<Wavelength> visible_wavelengths() {
+    std::vector<Wavelength> wavelengths;
+    for (const double nm : stepped(380.0, 780.0, 5.0)) wavelengths.push_back(nm * unit::nm);
+    return wavelengths;
+}
+
+}  // namespace dewbow
