@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 #define DEWBOW_INLINE [[gnu::always_inline]] inline
 // g++ would load a vector anew for each of its uses, and loads are what is short then.
@@ -58,8 +59,7 @@ struct Lanes {
 /// `count` orders from `n` on of π + τ and π − τ. In differences d_n = π_n − π_{n−1}, with
 /// t = d_n − ε π_n: τ_n = n t − π_{n−1} and d_{n+1} = t + t/n − ε π_n. Unlike the recurrence in μ
 /// this loses nothing near the axis, where ε = 1 − μ is small.
-///                                                    [after Wiscombe 1980, Appl. Opt. 19, 1505,
-///                                                    eq. 18]
+///                                                    [after Wiscombe 1980, Appl. Opt. 19, 1505]
 template <class L>
 DEWBOW_INLINE void continue_table(int n, int count, Recurrence& at, Table& plus, Table& minus) {
     using Vector = typename L::Vector;
@@ -94,64 +94,76 @@ DEWBOW_INLINE void continue_table(int n, int count, Recurrence& at, Table& plus,
 /// Real and imaginary part of one sum, by angle.
 using Sum = double[2][kBlockAngles];
 
-/// A tile of one sum in registers.
-template <class L>
-struct SumTile {
-    typename L::Vector re[kTile], im[kTile];
-    DEWBOW_INLINE SumTile(const Sum& sum, int first) {
-        for (int v = 0; v < kTile; ++v) {
-            re[v] = L::load(sum[0] + first + v * L::kLanes);
-            im[v] = L::load(sum[1] + first + v * L::kLanes);
-        }
-    }
-    DEWBOW_INLINE void store(Sum& sum, int first) const {
-        for (int v = 0; v < kTile; ++v) {
-            L::store(sum[0] + first + v * L::kLanes, re[v]);
-            L::store(sum[1] + first + v * L::kLanes, im[v]);
-        }
-    }
+/// What a table is multiplied with, from its first order on, and the sum that this belongs to;
+/// nothing to do if that is nullptr.
+struct Addend {
+    const double* factors;
+    Sum* sum;
 };
 
-/// Adds the table's first `count` orders, times the factors of `straight`, to `straight_sum`; and
-/// those of `alternating` so that `alternating_sum` becomes Σ_n (−1)^{last − n} factor × value. One
-/// of the sums may be absent: nullptr, as the template says.
-template <class L, bool kStraight, bool kAlternating>
-DEWBOW_INLINE void add_table(int count, const Table& table, const double* straight,
-                             const double* alternating, Sum* straight_sum, Sum* alternating_sum) {
-    for (int first = 0; first < kBlockAngles; first += kTile * L::kLanes) {
-        SumTile<L> s(kStraight ? *straight_sum : *alternating_sum, first);
-        SumTile<L> a(kAlternating ? *alternating_sum : *straight_sum, first);
-        for (int i = 0; i < count; ++i)
-            for (int v = 0; v < kTile; ++v) {
-                typename L::Vector angular = L::load(table.values[i] + first + v * L::kLanes);
-                DEWBOW_IN_REGISTER(angular);
-                if constexpr (kStraight) {
-                    s.re[v] = straight[2 * i] * angular + s.re[v];
-                    s.im[v] = straight[2 * i + 1] * angular + s.im[v];
-                }
-                if constexpr (kAlternating) {
-                    a.re[v] = alternating[2 * i] * angular - a.re[v];
-                    a.im[v] = alternating[2 * i + 1] * angular - a.im[v];
-                }
-            }
-        if constexpr (kStraight) s.store(*straight_sum, first);
-        if constexpr (kAlternating) a.store(*alternating_sum, first);
+/// A tile of one sum in registers: Σ_n factor × value, or the alternating one that is taken from
+/// the next product each time, Σ_n (−1)^{last − n} factor × value.
+template <class L, bool kAlternating>
+class SumTile {
+public:
+    DEWBOW_INLINE SumTile(const Addend& addend, int first)
+        : factors_(addend.factors),
+          re_to_((*addend.sum)[0] + first),
+          im_to_((*addend.sum)[1] + first) {
+        for (int v = 0; v < kTile; ++v) {
+            re_[v] = L::load(re_to_ + v * L::kLanes);
+            im_[v] = L::load(im_to_ + v * L::kLanes);
+        }
     }
+    DEWBOW_INLINE void add(int i, int v, typename L::Vector value) {
+        if constexpr (kAlternating) {
+            re_[v] = factors_[2 * i] * value - re_[v];
+            im_[v] = factors_[2 * i + 1] * value - im_[v];
+        } else {
+            re_[v] += factors_[2 * i] * value;
+            im_[v] += factors_[2 * i + 1] * value;
+        }
+    }
+    DEWBOW_INLINE void store() const {
+        for (int v = 0; v < kTile; ++v) {
+            L::store(re_to_ + v * L::kLanes, re_[v]);
+            L::store(im_to_ + v * L::kLanes, im_[v]);
+        }
+    }
+
+private:
+    const double* factors_;
+    double *re_to_, *im_to_;
+    typename L::Vector re_[kTile], im_[kTile];
+};
+
+/// Adds `count` orders to tiles that begin at angle `first`.
+template <class L, class... Tiles>
+DEWBOW_INLINE void add_to_tiles(int count, const Table& table, int first, Tiles... tiles) {
+    for (int i = 0; i < count; ++i)
+        for (int v = 0; v < kTile; ++v) {
+            typename L::Vector value = L::load(table.values[i] + first + v * L::kLanes);
+            DEWBOW_IN_REGISTER(value);
+            (tiles.add(i, v, value), ...);
+        }
+    (tiles.store(), ...);
 }
 
-/// Both sums at once share the loads of the table, where there are registers for both.
+/// Both sums at once share the loads of the table, where there are registers for both, the four
+/// factors and a value.
 template <class L>
-DEWBOW_INLINE void add_table(int count, const Table& table, const double* straight,
-                             const double* alternating, Sum* straight_sum, Sum* alternating_sum) {
-    if (L::kRegisters >= 4 * kTile + 6 && straight_sum && alternating_sum) {
-        add_table<L, true, true>(count, table, straight, alternating, straight_sum,
-                                 alternating_sum);
-        return;
-    }
-    if (straight_sum)
-        add_table<L, true, false>(count, table, straight, nullptr, straight_sum, nullptr);
-    if (alternating_sum)
-        add_table<L, false, true>(count, table, nullptr, alternating, nullptr, alternating_sum);
+DEWBOW_INLINE void add_table(int count, const Table& table, Addend straight, Addend alternating) {
+    constexpr bool kTogether = L::kRegisters >= 4 * kTile + 5;
+    for (int first = 0; first < kBlockAngles; first += kTile * L::kLanes)
+        if (kTogether && straight.sum && alternating.sum) {
+            add_to_tiles<L>(count, table, first, SumTile<L, false>(straight, first),
+                            SumTile<L, true>(alternating, first));
+        } else {
+            if (straight.sum)
+                add_to_tiles<L>(count, table, first, SumTile<L, false>(straight, first));
+            if (alternating.sum)
+                add_to_tiles<L>(count, table, first, SumTile<L, true>(alternating, first));
+        }
 }
 
 /// Gives alternating sums of an even number of orders the sign (−1)^{n+1}.
@@ -181,8 +193,8 @@ DEWBOW_INLINE void sum_block_with(std::span<const WaveFactors> spheres,
             BlockSums* b = backward.empty() ? nullptr : &backward[s];
             const double* p = spheres[s].plus.data() + 2 * done;
             const double* m = spheres[s].minus.data() + 2 * done;
-            add_table<L>(count, plus, p, m, f ? &f->plus : nullptr, b ? &b->minus : nullptr);
-            add_table<L>(count, minus, m, p, f ? &f->minus : nullptr, b ? &b->plus : nullptr);
+            add_table<L>(count, plus, {p, f ? &f->plus : nullptr}, {m, b ? &b->minus : nullptr});
+            add_table<L>(count, minus, {m, f ? &f->minus : nullptr}, {p, b ? &b->plus : nullptr});
         }
     }
     for (std::size_t s = 0; s < backward.size(); ++s)
