@@ -232,6 +232,30 @@ TEST(Descartes, OblateDropsTurnTheirBowsAndLoseNothing) {
     }
 }
 
+TEST(Descartes, ShiftsOfIntensitiesKeepTheFlux) {
+    // An even pattern: ∫ (dΩ₀ / dΩ) dΩ = 4π whatever the shift. Gauss, piece by piece.
+    const QuadratureRule rule = gauss_legendre(32);
+    for (double shift : {-8.0, 0.5, 3.0}) {
+        double sum = 0.0;
+        for (double from : {0.0, 30.0, 90.0, 150.0}) {
+            const double to = from == 30.0 || from == 90.0 ? from + 60.0 : from + 30.0;
+            sum += integrate(rule, from, to, [&](double theta) {
+                return brightness_of_shift(theta * deg, shift * deg) * sin(theta * deg) *
+                       (1.0 * deg).to(rad);
+            });
+        }
+        EXPECT_NEAR(sum, 2.0, kBalance) << shift;
+    }
+    // And the same as moving the flux between edges, in small cells.
+    const Angle theta = 125.0 * deg, half = 1e-4 * deg;
+    const Angle shift = 2.0 * deg;
+    const std::vector<Angle> edges = {theta - half, theta + half};
+    const std::vector<Angle> moved = {angle_without_shift(edges[0], shift),
+                                      angle_without_shift(edges[1], shift)};
+    EXPECT_NEAR(cell_solid_angle(moved[0], moved[1]) / cell_solid_angle(edges[0], edges[1]),
+                brightness_of_shift(theta, shift), 1e-9);
+}
+
 TEST(Descartes, RefusesWhatItCannotTreat) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto model = make_descartes({});

@@ -67,6 +67,19 @@ PolarisedFlux flux_over_impact(double from, double to, double n, int p) {
     return {half * sum.perpendicular, half * sum.parallel};
 }
 
+/// Share of a shift that acts at an angle, and its derivative per radian: 0 at 0° and 180°, 1 from
+/// 30° to 150°.
+struct Taper {
+    double value, slope;
+};
+Taper taper(Angle theta) {
+    constexpr Angle kWidth = 30.0 * unit::deg;
+    const bool forward = theta < kHalfTurn - theta;
+    const double u = std::clamp((forward ? theta : kHalfTurn - theta) / kWidth, 0.0, 1.0);
+    const double slope = 6.0 * u * (1.0 - u) / kWidth.to(unit::rad);
+    return {u * u * (3.0 - 2.0 * u), forward ? slope : -slope};
+}
+
 }  // namespace
 
 std::vector<Angle> cell_edges(std::span<const Angle> theta) {
@@ -129,9 +142,15 @@ OrderFlux order_flux(RelativeIndex n, int p) {
 }
 
 Angle angle_without_shift(Angle theta, Angle shift) {
-    constexpr Angle kTaper = 30.0 * unit::deg;
-    const double u = std::clamp(std::min(theta, kHalfTurn - theta) / kTaper, 0.0, 1.0);
-    return std::clamp(theta - u * u * (3.0 - 2.0 * u) * shift, Angle{}, kHalfTurn);
+    return std::clamp(theta - taper(theta).value * shift, Angle{}, kHalfTurn);
+}
+
+double brightness_of_shift(Angle theta, Angle shift) {
+    const double s = shift.to(unit::rad), slope = 1.0 - taper(theta).slope * s;
+    // At the ends, where the taper ends in zero with its slope, the ratio of the sines is 1.
+    const double sine = sin(theta);
+    const double ratio = sine < 1e-9 ? 1.0 : sin(angle_without_shift(theta, shift)) / sine;
+    return std::max(ratio * slope, 0.0);
 }
 
 }  // namespace dewbow

@@ -48,5 +48,8 @@ OrderFlux order_flux(RelativeIndex n, int p);
 /// Where light that leaves a drop at `theta` would leave a sphere, if the drop turns the bow by
 /// `shift`: θ − shift, ever less within 30° of 0° and of 180°, which stay where they are.
 Angle angle_without_shift(Angle theta, Angle shift);
+/// What an intensity of the sphere at angle_without_shift counts at `theta` for the flux to stay
+/// what it is: ratio of the solid angles. Within 20° of shift, beyond which 0 may come out.
+double brightness_of_shift(Angle theta, Angle shift);
 
 }  // namespace dewbow
