@@ -5,6 +5,7 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/airy.h"
+#include "dewbow/rainbow/automatic.h"
 #include "dewbow/rainbow/debye.h"
 #include "dewbow/rainbow/descartes.h"
 #include "dewbow/rainbow/mie/mie_model.h"
@@ -23,6 +24,7 @@ const std::vector<ScatteringModelRow>& scattering_models() {
         {"debye", "all waves of a sphere, by orders of light: real index, x from 0.001 to 20000",
          make_debye},
         {"mie", "all waves of a sphere of any index: exact, x from 0.001 to 50000", make_mie},
+        {"auto", "the cheapest that holds a stated error, from 0 to 180 degrees", make_automatic},
     };
     return rows;
 }

@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <numbers>
 
 #include "dewbow/base/error.h"
-#include "dewbow/base/parallel.h"
+#include "dewbow/rainbow/angle_grid.h"
+#include "dewbow/rainbow/automatic.h"
+#include "dewbow/rainbow/automatic_error.h"
 #include "dewbow/rainbow/drop_ray.h"
 #include "dewbow/rainbow/size_sampling.h"
+#include "dewbow/rainbow/sun_disc.h"
 
 namespace dewbow {
 namespace {
@@ -72,97 +74,79 @@ std::vector<WeightedRadius> sample_radii(const TableRequest& request) {
         sampling.fastest =
             fringe_rate(kFromBow, descartes_ray(n, 2).airy_constant,
                         shortest.to(nm) / (*request.optics.around)(shortest).value * 1e-9 * m);
+    if (request.model == "auto" && !request.sizes->is_single()) {
+        /// More radii cost `auto` next to nothing; it groups them as it needs them.
+        constexpr double kMany = 1000.0;
+        const Length range = request.sizes->largest() - request.sizes->smallest();
+        sampling.fastest = std::max(sampling.fastest, kMany / range);
+    }
     return sample_sizes(*request.sizes, sampling);
 }
 
-/// Drops that a model is asked about at once: its answers for all of them and all angles stay in
-/// the caches of a core, and models that share work between drops find enough of them.
-constexpr std::size_t kDropsAtOnce = 16;
-
-/// Σ share |S|², Σ share x², and efficiencies weighted by x², over all drops.
-struct DropSums {
-    std::vector<Intensities> intensities;  ///< [angle]
-    double x_squared = 0.0;
-    Efficiencies efficiencies;
-};
-
-DropSums sum_over_drops(const ScatteringModel& model, const DropOptics& optics, Wavelength lambda,
-                        std::span<const WeightedRadius> radii, std::span<const Angle> angles) {
-    const ComplexIndex index(optics.index(lambda).value, optics.extinction);
-    DropSums sums;
-    sums.intensities.resize(angles.size());
-    std::vector<Intensities> block(kDropsAtOnce * angles.size());
-    std::vector<Drop> drops;
-    for (std::size_t first = 0; first < radii.size(); first += kDropsAtOnce) {
-        const auto group = radii.subspan(first, std::min(kDropsAtOnce, radii.size() - first));
-        drops.clear();
-        for (const WeightedRadius& each : group)
-            drops.push_back({optics.size_parameter(each.radius, lambda), {}});
-        model.intensities(index, drops, angles, block);
-        for (std::size_t d = 0; d < group.size(); ++d) {
-            const double share = group[d].share;
-            for (std::size_t a = 0; a < angles.size(); ++a) {
-                const Intensities& one = block[d * angles.size() + a];
-                sums.intensities[a].perpendicular += share * one.perpendicular;
-                sums.intensities[a].parallel += share * one.parallel;
-            }
-            const double x = drops[d].size_parameter, weight = share * x * x;
-            const Efficiencies q = model.efficiencies(index, drops[d]);
-            sums.x_squared += weight;
-            sums.efficiencies.extinction += weight * q.extinction;
-            sums.efficiencies.scattering += weight * q.scattering;
-            sums.efficiencies.asymmetry += weight * q.scattering * q.asymmetry;
-        }
-    }
-    sums.efficiencies.asymmetry /= sums.efficiencies.scattering;
-    sums.efficiencies.extinction /= sums.x_squared;
-    sums.efficiencies.scattering /= sums.x_squared;
-    return sums;
+CloudScattering scatter(const TableRequest& request, const Cloud& cloud,
+                        std::span<const Angle> angles) {
+    const ModelOptions options{
+        request.orders, {relative_width(*request.sizes), request.disc.radius}, request.tolerance};
+    if (request.model == "auto")
+        return scatter_automatically(cloud, request.wavelengths, angles, options);
+    const auto model = make_scattering_model(request.model, options);
+    return scatter(*model, cloud, request.wavelengths, angles);
 }
 
-/// Calls body(i) in parallel; throws what the first of them threw, in order of i.
-void parallel_or_throw(std::size_t count, const std::function<void(std::size_t)>& body) {
-    std::vector<std::exception_ptr> failures(count);
-    parallel_for(count, [&](std::size_t i) {
-        try {
-            body(i);
-        } catch (...) {
-            failures[i] = std::current_exception();
-        }
-    });
-    for (const std::exception_ptr& failure : failures)
-        if (failure) std::rethrow_exception(failure);
+/// The angles asked for, and between and beyond them those that the disc needs.
+std::vector<Angle> angles_for_disc(const TableRequest& request) {
+    if (request.disc.radius == Angle{}) return request.angles;
+    const DropOptics& optics = request.optics;
+    const Wavelength shortest = request.wavelengths.front();
+    AngleGrid grid{optics.index(request.wavelengths.back()), optics.index(shortest)};
+    grid.x = optics.size_parameter(effective_radius(*request.sizes), shortest);
+    const Length deviation = relative_width(*request.sizes) * mean_radius(*request.sizes);
+    grid.fringes = optics.size_parameter(deviation, shortest) < kWashedOutDeviation;
+    grid.from = std::max(request.angles.front() - request.disc.radius, 0.0 * deg);
+    grid.to = std::min(request.angles.back() + request.disc.radius, 180.0 * deg);
+    return merged_angles(request.angles, adaptive_angles(grid));
+}
+
+/// Phase functions before the disc, [angle][wavelength].
+std::vector<Intensities> phase_of(const CloudScattering& scattering, std::size_t angles) {
+    const std::size_t wavelengths = scattering.sums.size();
+    std::vector<Intensities> phase(angles * wavelengths);
+    for (std::size_t w = 0; w < wavelengths; ++w) {
+        const DropSums& sums = scattering.sums[w];
+        // ∫ P dΩ = 4π, with dσ/dΩ = |S|² / k² and Σ πa² Q_sca = σ_sca.
+        const double scale = 4.0 / (sums.x_squared * sums.efficiencies.scattering);
+        for (std::size_t a = 0; a < angles; ++a)
+            phase[a * wavelengths + w] = {scale * sums.intensities[a].perpendicular,
+                                          scale * sums.intensities[a].parallel};
+    }
+    return phase;
 }
 
 }  // namespace
 
-double DropOptics::size_parameter(Length radius, Wavelength lambda) const {
-    return 2.0 * std::numbers::pi * radius.to(1e-9 * m) * (*around)(lambda).value / lambda.to(nm);
-}
-
 ScatteringTable make_scattering_table(const TableRequest& request) {
     check(request);
-    const ModelOptions options{request.orders, {}, request.tolerance};
-    const auto model = make_scattering_model(request.model, options);
-    const std::vector<WeightedRadius> radii = sample_radii(request);
-    const std::size_t wavelength_count = request.wavelengths.size();
+    const Cloud cloud{request.optics, sample_radii(request)};
+    const std::vector<Angle> angles = angles_for_disc(request);
+    const CloudScattering scattering = scatter(request, cloud, angles);
 
     ScatteringTable table;
     table.angles = request.angles;
     table.wavelengths = request.wavelengths;
     table.mean_cross_section = mean_cross_section(*request.sizes);
-    table.phase.resize(request.angles.size() * wavelength_count);
-    table.efficiencies.resize(wavelength_count);
-    parallel_or_throw(wavelength_count, [&](std::size_t w) {
-        const DropSums sums =
-            sum_over_drops(*model, request.optics, request.wavelengths[w], radii, request.angles);
-        table.efficiencies[w] = sums.efficiencies;
-        // ∫ P dΩ = 4π, with dσ/dΩ = |S|² / k² and Σ πa² Q_sca = σ_sca.
-        const double scale = 4.0 / (sums.x_squared * sums.efficiencies.scattering);
-        for (std::size_t a = 0; a < request.angles.size(); ++a)
-            table.phase[a * wavelength_count + w] = {scale * sums.intensities[a].perpendicular,
-                                                     scale * sums.intensities[a].parallel};
-    });
+    table.report = scattering.report;
+    table.stated_error = scattering.stated_error;
+    for (const DropSums& sums : scattering.sums) table.efficiencies.push_back(sums.efficiencies);
+    table.phase = phase_of(scattering, angles.size());
+    if (request.disc.radius != Angle{}) {
+        std::vector<std::size_t> wanted;
+        for (const Angle angle : request.angles)
+            wanted.push_back(std::size_t(std::lower_bound(angles.begin(), angles.end(), angle) -
+                                         angles.begin()));
+        std::vector<Intensities> smooth(request.angles.size() * request.wavelengths.size());
+        SunSmoother(angles, request.disc, wanted).apply(table.phase, smooth);
+        table.phase = std::move(smooth);
+    }
     return table;
 }
 

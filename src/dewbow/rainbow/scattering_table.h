@@ -9,23 +9,13 @@
 #include <vector>
 
 #include "dewbow/base/quantity.h"
-#include "dewbow/optics/dispersion.h"
+#include "dewbow/rainbow/cloud_scattering.h"
 #include "dewbow/rainbow/drop_sizes.h"
 #include "dewbow/rainbow/models.h"
 #include "dewbow/rainbow/scattering.h"
 #include "dewbow/rainbow/sun_disc.h"
 
 namespace dewbow {
-
-/// What drops are made of and what they fall through; both against vacuum. The index that counts is
-/// the quotient, and the wave number is that around the drop.
-struct DropOptics {
-    DispersionPtr drop, around;
-    double extinction = 0.0;  ///< k of the drop against what is around it
-    RelativeIndex index(Wavelength lambda) const { return (*drop)(lambda) / (*around)(lambda); }
-    /// 2πa n_around / λ.
-    double size_parameter(Length radius, Wavelength lambda) const;
-};
 
 struct TableRequest {
     std::string model = "auto";

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "dewbow/base/check.h"
@@ -189,7 +190,16 @@ std::array<double, 5> published_sun_kernel() {
     return taps;
 }
 
-SunSmoother::SunSmoother(std::span<const Angle> angles, const SunDisc& disc) {
+SunSmoother::SunSmoother(std::span<const Angle> angles, const SunDisc& disc)
+    : SunSmoother(angles, disc, [&] {
+          std::vector<std::size_t> all(angles.size());
+          std::iota(all.begin(), all.end(), std::size_t{0});
+          return all;
+      }()) {}
+
+SunSmoother::SunSmoother(std::span<const Angle> angles, const SunDisc& disc,
+                         std::span<const std::size_t> wanted)
+    : angles_(angles.size()) {
     check(disc);
     std::vector<double> grid;
     for (const Angle angle : angles) grid.push_back(angle.to(unit::rad));
@@ -199,7 +209,7 @@ SunSmoother::SunSmoother(std::span<const Angle> angles, const SunDisc& disc) {
                          }) == grid.end();
     if (!ordered || !(grid.front() >= 0.0 && grid.back() <= kPi * (1.0 + kRounding)))
         throw InputError("angles for the sun's disc; expected at least one, ascending, 0° to 180°");
-    for (std::size_t i = 0; i < grid.size(); ++i) {
+    for (const std::size_t i : wanted) {
         if (disc.radius == Angle{}) {
             rows_.push_back({i, weights_.size(), 1});
             weights_.push_back({1.0, 1.0});
@@ -263,8 +273,8 @@ void SunSmoother::add_row(std::span<const double> grid, double theta, const SunD
 }
 
 void SunSmoother::apply(std::span<const Intensities> in, std::span<Intensities> out) const {
-    const std::size_t columns = in.size() / rows_.size();
-    DEWBOW_CHECK(in.size() == columns * rows_.size() && out.size() == in.size(),
+    const std::size_t columns = in.size() / angles_;
+    DEWBOW_CHECK(in.size() == columns * angles_ && out.size() == columns * rows_.size(),
                  "a row of intensities for each angle");
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const Row& row = rows_[r];
@@ -279,8 +289,8 @@ void SunSmoother::apply(std::span<const Intensities> in, std::span<Intensities> 
 }
 
 void SunSmoother::apply(std::span<const double> in, std::span<double> out) const {
-    const std::size_t columns = in.size() / rows_.size();
-    DEWBOW_CHECK(in.size() == columns * rows_.size() && out.size() == in.size(),
+    const std::size_t columns = in.size() / angles_;
+    DEWBOW_CHECK(in.size() == columns * angles_ && out.size() == columns * rows_.size(),
                  "a row of values for each angle");
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const Row& row = rows_[r];

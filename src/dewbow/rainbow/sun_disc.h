@@ -64,9 +64,12 @@ public:
     /// @param angles  0 to 180°, ascending, at least one.
     /// Throws InputError: a radius or a limb darkening outside their range, angles not in order.
     SunSmoother(std::span<const Angle> angles, const SunDisc& disc);
+    /// Results at some of the angles only, those numbered `wanted`.
+    SunSmoother(std::span<const Angle> angles, const SunDisc& disc,
+                std::span<const std::size_t> wanted);
 
-    /// [angle][column], row-major, any number of columns (wavelengths); `out` as large as `in`, and
-    /// another.
+    /// [angle][column], row-major, any number of columns (wavelengths); `out` as large as `in`, or
+    /// with as many rows as there are angles wanted, and another.
     void apply(std::span<const Intensities> in, std::span<Intensities> out) const;
     /// The same for quantities that do not depend on a plane.
     void apply(std::span<const double> in, std::span<double> out) const;
@@ -81,6 +84,7 @@ private:
     };
     void add_row(std::span<const double> grid, double theta, const SunDisc& disc);
 
+    std::size_t angles_;
     std::vector<Row> rows_;
     std::vector<Weight> weights_;
 };

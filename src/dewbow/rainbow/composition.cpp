@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/rainbow/composition.h"
+
+#include <fmt/format.h>
+#include <math.h>  // j1 is POSIX's; the standard's Bessel functions are twenty times slower
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dewbow/base/error.h"
+#include "dewbow/rainbow/drop_ray.h"
+#include "dewbow/rainbow/geometric_flux.h"
+
+namespace dewbow {
+namespace {
+
+using namespace unit;
+
+/// Steps in x s of the largest drop: the fringes are π long.
+constexpr double kStep = 0.2;
+/// Beyond it drops of one size have their mean over fringes as well: x s, the 60th dark ring.
+constexpr double kLast = 190.0;
+constexpr double kWashedOut = 1e-3;
+constexpr int kCalm = 60;
+
+/// How much is left of the interference of diffracted with reflected light at the edge: it becomes
+/// one with the reflection at angles above x^{−1/3} (Fock's region). The form and its two numbers
+/// are a fit to Mie, n = 1.333, x = 300 to 9600 (error of the sum then 2 %; 6 % without).
+double edge_interference(Angle theta, double x) {
+    constexpr double kAtEdge = 0.55, kWidth = 2.4;
+    const double t = theta.to(rad) * std::cbrt(x) / kWidth;
+    return kAtEdge * std::exp(-t * t);
+}
+
+}  // namespace
+
+DiffractionAverage::DiffractionAverage(std::span<const double> sizes,
+                                       std::span<const double> shares) {
+    double greatest = 0.0;
+    for (std::size_t d = 0; d < sizes.size(); ++d) {
+        greatest = std::max(greatest, sizes[d]);
+        mean_size_ += shares[d] * sizes[d];
+        mean_power_ += shares[d] * std::pow(sizes[d], 1.5);
+    }
+    step_ = kStep / greatest;
+    const auto node_at = [&](double s) {
+        Value sum{};
+        for (std::size_t d = 0; d < sizes.size(); ++d) {
+            const double x = sizes[d], u = x * s, weight = shares[d] * x * x * x;
+            const double part = std::abs(u) < 1e-4 ? 0.5 : ::j1(u) / u;
+            sum.diffracted += weight * x * part * part;
+            sum.cross += weight * part * std::sin(u);
+        }
+        return sum;
+    };
+    // The first node lies one step before 0, where the functions go on evenly and oddly.
+    auto nodes = std::make_shared<std::vector<Value>>();
+    int calm = 0;
+    for (double k = -1.0; calm < kCalm && k * kStep < kLast; ++k) {
+        const double s = k * step_;
+        nodes->push_back(node_at(s));
+        const Value mean = far(std::max(s, step_));
+        const auto near = [](double value, double to) {
+            return std::abs(value - to) <= kWashedOut * to;
+        };
+        const bool washed_out = near(nodes->back().diffracted, mean.diffracted) &&
+                                near(nodes->back().cross, mean.cross);
+        calm = washed_out ? calm + 1 : 0;
+    }
+    nodes_ = std::move(nodes);
+}
+
+DiffractionAverage DiffractionAverage::rescaled(double ratio) const {
+    DiffractionAverage result = *this;
+    result.scale_ *= ratio;
+    return result;
+}
+
+DiffractionAverage::Value DiffractionAverage::far(double s) const {
+    // J_1²(u) → 1 / (πu), J_1(u) sin u → 1 / (2 √(πu)).
+    const double root = std::sqrt(std::numbers::pi * s);
+    return {mean_size_ / (std::numbers::pi * s * s * s), 0.5 * mean_power_ / (s * root)};
+}
+
+DiffractionAverage::Value DiffractionAverage::at(double s) const {
+    const std::vector<Value>& nodes = *nodes_;
+    const double scaled = s * scale_, position = scaled / step_ + 1.0;
+    const double cube = scale_ * scale_ * scale_;
+    Value value;
+    if (position < double(nodes.size() - 2)) {
+        const auto k = std::size_t(position);
+        const double t = position - double(k);
+        const double w0 = -t * (t - 1.0) * (t - 2.0) / 6.0,
+                     w1 = (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+                     w2 = -(t + 1.0) * t * (t - 2.0) / 2.0, w3 = (t + 1.0) * t * (t - 1.0) / 6.0;
+        const auto mix = [&](double Value::*part) {
+            return w0 * nodes[k - 1].*part + w1 * nodes[k].*part + w2 * nodes[k + 1].*part +
+                   w3 * nodes[k + 2].*part;
+        };
+        value = {mix(&Value::diffracted), mix(&Value::cross)};
+    } else {
+        value = far(scaled);
+    }
+    return {cube * scale_ * value.diffracted, cube * value.cross};
+}
+
+DropAverages DropAverages::rescaled(double ratio) const {
+    DropAverages result = *this;
+    result.fringes = fringes.rescaled(ratio);
+    result.diffraction = diffraction.rescaled(ratio);
+    return result;
+}
+
+Composition::Composition(RelativeIndex n, const Orders& orders)
+    : n_(n), diffraction_(orders.empty()) {
+    for (const int p : orders)
+        if (p < 0 || p > kHighestOrder)
+            throw InputError(fmt::format("order {}; expected 0 to {}", p, kHighestOrder));
+    const auto wanted = [&](int p) {
+        return orders.empty() || std::find(orders.begin(), orders.end(), p) != orders.end();
+    };
+    reflected_ = wanted(0), refracted_ = wanted(1);
+    for (int p = 2; p <= kHighestOrder; ++p)
+        if (wanted(p)) bows_.emplace_back(n, p);
+}
+
+void Composition::add_rays(int p, double mean_square, std::span<const Angle> theta,
+                           std::span<Intensities> out) const {
+    const double n = n_.value;
+    for (std::size_t a = 0; a < theta.size(); ++a) {
+        // The ray that leaves at θ: i = 90° − θ/2 outside; sin i = n sin(i − θ/2) inside.
+        const double half = 0.5 * theta[a].to(rad);
+        double b = std::cos(half), geometry = 0.25;
+        if (p == 1) {
+            const double s = n * std::sin(half), c = n * std::cos(half) - 1.0;
+            if (c <= 0.0) break;  // beyond the ray at the edge
+            b = s / std::hypot(s, c);
+            const double ci = c / std::hypot(s, c), ncr = std::sqrt(n * n - b * b);
+            // b / (sin θ |dθ/db|), by its limit on the axis.
+            const double slope = 2.0 - 2.0 * ci / ncr;
+            geometry = half < 1e-6 ? n * n / (4.0 * (n - 1.0) * (n - 1.0))
+                                   : b * ci / (std::sin(2.0 * half) * slope);
+        }
+        const RayAmplitudes e = ray_amplitudes(drop_ray(b, n_), n_, p);
+        out[a].perpendicular += mean_square * geometry * e.perpendicular * e.perpendicular;
+        out[a].parallel += mean_square * geometry * e.parallel * e.parallel;
+    }
+}
+
+void Composition::add(const DropAverages& drops, const BowShifts& shifts,
+                      std::span<const Angle> theta, std::span<Intensities> out) const {
+    const double mean_square = drops.fringes.mean_square();
+    if (diffraction_)
+        for (std::size_t a = 0; a < theta.size() && theta[a] < 90.0 * deg; ++a) {
+            const DiffractionAverage::Value value = drops.diffraction.at(sin(theta[a]));
+            const DropRay grazing = drop_ray(cos(0.5 * theta[a]), n_);
+            const RayAmplitudes r = ray_amplitudes(grazing, n_, 0);
+            const double cross = edge_interference(theta[a], drops.fringes.effective_size());
+            out[a].perpendicular += value.diffracted - cross * r.perpendicular * value.cross;
+            out[a].parallel += value.diffracted - cross * r.parallel * value.cross;
+        }
+    std::vector<Angle> moved;
+    const auto unshifted = [&](int p) -> std::span<const Angle> {
+        const Angle shift = shifts[std::size_t(p)];
+        if (shift == Angle{}) return theta;
+        moved.clear();
+        for (const Angle angle : theta) moved.push_back(angle_without_shift(angle, shift));
+        return moved;
+    };
+    if (reflected_) add_rays(0, mean_square, unshifted(0), out);
+    if (refracted_) add_rays(1, mean_square, unshifted(1), out);
+    for (const OrderPattern& bow : bows_) bow.add(drops.fringes, unshifted(bow.order()), out);
+}
+
+CompositionFamily::CompositionFamily(RelativeIndex least, RelativeIndex greatest,
+                                     const Orders& orders) {
+    constexpr int kNodes = 4;
+    const double middle = 0.5 * (least.value + greatest.value),
+                 half = 0.5 * (greatest.value - least.value);
+    const int count = half > 1e-9 ? kNodes : 1;
+    for (int k = 0; k < count; ++k) {
+        nodes_.push_back(middle - half * std::cos(std::numbers::pi * (k + 0.5) / count));
+        compositions_.emplace_back(RelativeIndex{nodes_.back()}, orders);
+    }
+    bows_.resize(compositions_.front().bows_.size());
+    for (const Composition& each : compositions_)
+        for (std::size_t b = 0; b < bows_.size(); ++b) bows_[b].push_back(each.bows_[b]);
+}
+
+Composition CompositionFamily::at(RelativeIndex n) const {
+    std::vector<double> weights(nodes_.size(), 1.0);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        for (std::size_t j = 0; j < nodes_.size(); ++j)
+            if (i != j) weights[i] *= (n.value - nodes_[j]) / (nodes_[i] - nodes_[j]);
+    std::vector<OrderPattern> bows;
+    for (const std::vector<OrderPattern>& order : bows_) bows.emplace_back(n, order, weights);
+    return {n, compositions_.front(), std::move(bows)};
+}
+
+}  // namespace dewbow

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/rainbow/fringe_average.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dewbow/math/airy.h"
+
+namespace dewbow {
+namespace {
+
+/// Steps in z x^{2/3} of the largest drop: fringes far from the bow, with z x^{2/3} = 100, are 0.3
+/// long there.
+constexpr double kStep = 0.04;
+/// No pair of rays of orders 2 to 7 in anything like water reaches this z.
+constexpr double kGreatest = 1.2;
+/// Ends the dark side: Ai² there is 1e-8 of the bow's.
+constexpr double kDarkest = 5.0;
+/// Fringes count as washed out when their contrast stays below this for kCalm nodes.
+constexpr double kWashedOut = 5e-4;
+constexpr int kCalm = 200;
+
+struct Power {
+    double x, third, share;  ///< third: x^{1/3}
+};
+
+}  // namespace
+
+FringeAverage::FringeAverage(std::span<const double> sizes, std::span<const double> shares) {
+    std::vector<Power> drops(sizes.size());
+    double least = sizes[0], greatest = sizes[0], cube = 0.0;
+    for (std::size_t d = 0; d < sizes.size(); ++d) {
+        const double x = sizes[d];
+        drops[d] = {x, std::cbrt(x), shares[d]};
+        least = std::min(least, x), greatest = std::max(greatest, x);
+        mean_square_ += shares[d] * x * x;
+        cube += shares[d] * x * x * x;
+    }
+    effective_size_ = cube / mean_square_;
+
+    step_ = kStep * std::pow(greatest, -2.0 / 3.0);
+    // Small drops matter little to a sum of x^{7/3}: no need to follow the least to its dark end.
+    const double small = std::max(least, 0.1 * effective_size_);
+    first_ = -step_ * std::ceil(kDarkest * std::pow(small, -2.0 / 3.0) / step_);
+    const AiryTable& table = AiryTable::instance();
+    const auto node_at = [&](double z) {
+        Node node{};
+        for (const Power& drop : drops) {
+            const double argument = -z * drop.third * drop.third;
+            if (argument > AiryTable::kHighest) continue;
+            const AiryPair ai =
+                argument < AiryTable::kLowest ? airy(argument) : table.inside(argument);
+            const double weight = drop.share * drop.x * drop.x;
+            node.G += weight * drop.third * ai.value * ai.value;
+            node.H += weight / drop.third * ai.derivative * ai.derivative;
+            node.slope += weight * drop.x * ai.value * ai.derivative;
+        }
+        return node;
+    };
+    auto nodes = std::make_shared<std::vector<Node>>();
+    int calm = 0;
+    for (double k = 0.0; calm < kCalm; ++k) {
+        const double z = first_ + k * step_;
+        if (z > kGreatest) break;
+        nodes->push_back(node_at(z));
+        const double mean = z > 0.0 ? mean_square_ / (2.0 * std::numbers::pi * std::sqrt(z)) : 0.0;
+        calm = std::abs(nodes->back().G - mean) <= kWashedOut * mean ? calm + 1 : 0;
+    }
+    nodes_ = std::move(nodes);
+}
+
+FringeAverage FringeAverage::rescaled(double ratio) const {
+    FringeAverage result = *this;
+    result.scale_ *= ratio;
+    result.scale_z_ = std::pow(result.scale_, 2.0 / 3.0);
+    result.scale_H_ = result.scale_ * result.scale_z_;
+    result.scale_G_ = result.scale_H_ * result.scale_z_;
+    return result;
+}
+
+FringeAverage::Value FringeAverage::at(double z) const {
+    const double scaled = z * scale_z_, position = (scaled - first_) / step_;
+    if (position < 0.0) return {0.0, 0.0};
+    const std::vector<Node>& nodes = *nodes_;
+    if (!(position < double(nodes.size() - 1))) {  // Ai² → 1 / (2π √z), Ai'² → √z / 2π
+        const double mean = mean_square() * (0.5 / std::numbers::pi), root = std::sqrt(z);
+        return {mean / root, mean * root};
+    }
+    const auto k = std::size_t(position);
+    const double t = position - double(k), u = 1.0 - t;
+    const Node &a = nodes[k], &b = nodes[k + 1];
+    const double at_a = u * u * (1.0 + 2.0 * t), at_b = t * t * (1.0 + 2.0 * u);
+    const double slope_a = step_ * t * u * u * a.slope, slope_b = -step_ * t * t * u * b.slope;
+    const double z_a = first_ + double(k) * step_, z_b = z_a + step_;
+    return {scale_G_ * (at_a * a.G + at_b * b.G - 2.0 * (slope_a + slope_b)),
+            scale_H_ * (at_a * a.H + at_b * b.H + 2.0 * (z_a * slope_a + z_b * slope_b))};
+}
+
+}  // namespace dewbow

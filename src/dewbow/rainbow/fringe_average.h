@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What many drops of different sizes leave of a bow's fringes.
+//
+// In the uniform approximation (order_pattern.h) the drops' sizes enter by two functions of one
+// variable, G(z) = Σ w x^{7/3} Ai²(−z x^{2/3}) and H(z) = Σ w x^{5/3} Ai'²(−z x^{2/3}): the same
+// for every order, angle and index. And when all sizes grow by a factor r, as they do from one
+// wavelength to another, G(z) becomes r^{7/3} G(z r^{2/3}) and H(z) r^{5/3} H(z r^{2/3}). So one
+// table serves a whole spectrum.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dewbow {
+
+class FringeAverage {
+public:
+    /// Of drops with size parameters x > 0 in shares w > 0.
+    ///
+    /// Tabulated from where the dark side ends to where sizes have washed the fringes out, with
+    /// cubics between. Error: 1e-3 of the local mean over fringes.   Cost: 5 µs to 1 ms + some
+    /// thousand Airy functions a drop.
+    FringeAverage(std::span<const double> sizes, std::span<const double> shares);
+
+    struct Value {
+        double G, H;
+    };
+    Value at(double z) const;
+
+    /// The same drops with all sizes times `ratio`: costs nothing.
+    FringeAverage rescaled(double ratio) const;
+
+    double mean_square() const { return scale_ * scale_ * mean_square_; }  ///< Σ w x²
+    /// Σ w x³ / Σ w x².
+    double effective_size() const { return scale_ * effective_size_; }
+
+private:
+    struct Node {
+        double G, H;
+        double slope;  ///< M = Σ w x³ Ai Ai'; dG/dz = −2M, dH/dz = 2zM
+    };
+    std::shared_ptr<const std::vector<Node>> nodes_;
+    double first_ = 0.0, step_ = 0.0;  ///< z of the nodes, for scale 1
+    double mean_square_ = 0.0, effective_size_ = 0.0;
+    double scale_ = 1.0;
+    /// Powers of the scale: 2/3, 5/3, 7/3.
+    double scale_z_ = 1.0, scale_H_ = 1.0, scale_G_ = 1.0;
+};
+
+}  // namespace dewbow
