@@ -84,14 +84,36 @@ double temperature_C(std::string_view text) {
     return kelvin ? *value - kFreezing_K : *value;
 }
 
-/// Water by IAPWS' formula.
+/// "35", "35 g/kg", in g/kg.
+double salinity_g_kg(std::string_view text) {
+    std::string_view number = text;
+    for (const std::string_view unit : {"g/kg", " "})
+        if (number.ends_with(unit)) number.remove_suffix(unit.size());
+    while (number.starts_with(' ')) number.remove_prefix(1);
+    if (const auto value = parse_number<double>(number)) return *value;
+    throw InputError(fmt::format("\"{}\" is no salinity; expected one such as 35 (g/kg)", text));
+}
+
+/// Water by IAPWS' formula, with what salt adds to it.
 Glass at_temperature(Glass glass, std::string_view text) {
-    if (glass.name != "fluid/water")
+    const bool is_sea = glass.name == "fluid/sea-water";
+    if (glass.name != "fluid/water" && !is_sea)
         throw InputError(
-            fmt::format("{} has no temperature: only fluid/water can have one", glass.name));
-    const double t = temperature_C(text);
-    glass.name += fmt::format("@{:.6g}C", t);
+            fmt::format("{} has no temperature: only fluid/water and fluid/sea-water can have one",
+                        glass.name));
+    const std::size_t comma = is_sea ? text.find(',') : std::string_view::npos;
+    const double t = temperature_C(text.substr(0, comma));
     glass.aliases.clear();
+    if (is_sea) {
+        double salinity = glass.data.coefficients[1];
+        if (comma != std::string_view::npos) salinity = salinity_g_kg(text.substr(comma + 1));
+        glass.name += fmt::format("@{:.6g}C,{:.6g}", t, salinity);
+        glass.description = fmt::format("sea water, {:.6g} °C, {:.6g} g/kg salt", t, salinity);
+        glass.data.coefficients = {t, salinity};
+        make_dispersion(glass.data);
+        return glass;
+    }
+    glass.name += fmt::format("@{:.6g}C", t);
     glass.description = fmt::format("water, {:.6g} °C, 101325 Pa", t);
     glass.lambda_min_nm = 200.0;
     glass.lambda_max_nm = 1100.0;

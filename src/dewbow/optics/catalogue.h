@@ -18,8 +18,9 @@ std::span<const Glass> glass_catalogue();
 /// The glass of that name or alias. The maker may be left out where the rest is unique, and case
 /// and hyphens do not matter ("N-BK7", "diamond", "nbk7"). What catalogue.csv has comes before what
 /// makers.csv has: "F2" is schott/F2, and not hikari/F2 or cdgm/F2. Water has a temperature if one
-/// is given: "water@25C", "fluid/water@298.15K". Throws InputError: unknown with the nearest names,
-/// ambiguous with all of them, or a temperature where there is none.
+/// is given: "water@25C", "fluid/water@298.15K"; sea water also a salinity in g/kg:
+/// "sea-water@20C,35". Throws InputError: unknown with the nearest names, ambiguous with all of
+/// them, or a temperature where there is none.
 Glass find_glass(std::string_view name);
 
 /// The glasses of a catalogue's text, whose columns are those of data/glasses/catalogue.csv.

@@ -120,6 +120,7 @@ constexpr Handbook kHandbook[] = {
     {"fluid/air-Edlen-1953", 1.00027713},
     {"fluid/carbon-dioxide", 1.000449},  // CRC
     {"fluid/water-24C", 1.332963},       // Daimon & Masumura 2007
+    {"fluid/sea-water", 1.339774},       // IAPWS, and Matthäus 1974 for the salt
 };
 
 TEST(Catalogue, AgreesWithHandbooksWithinTheAccuracyThatItStates) {
@@ -259,8 +260,25 @@ TEST(FindGlass, KnowsWaterByTemperature) {
     EXPECT_EQ(refusal("water@25"),
               "\"25\" is no temperature; expected one such as 25C or 298.15K; ");
     EXPECT_EQ(refusal("water@120C"), "water of 120 °C; expected 0 to 100 °C; ");
-    EXPECT_EQ(refusal("N-BK7@25C"),
-              "schott/N-BK7 has no temperature: only fluid/water can have one; ");
+    EXPECT_EQ(
+        refusal("N-BK7@25C"),
+        "schott/N-BK7 has no temperature: only fluid/water and fluid/sea-water can have one; ");
+}
+
+TEST(FindGlass, KnowsSeaWaterByTemperatureAndSalinity) {
+    EXPECT_EQ(find_glass("sea-water@10C,30").name, "fluid/sea-water@10C,30");
+    EXPECT_EQ(find_glass("sea-water@10C").name, "fluid/sea-water@10C,35");
+    EXPECT_EQ(find_glass("Sea Water@10 °C, 30 g/kg").data.coefficients, (std::vector{10.0, 30.0}));
+    for (double l = 400.0; l <= 700.0; l += 50.0) {
+        EXPECT_EQ(relative_index(find_glass("sea-water@20C,0"), l * unit::nm),
+                  relative_index(find_glass("water@20C"), l * unit::nm));
+        EXPECT_EQ(relative_index(find_glass("sea-water@20C,35"), l * unit::nm),
+                  relative_index(find_glass("sea-water"), l * unit::nm));
+    }
+    EXPECT_EQ(refusal("sea-water@20C,salty"),
+              "\"salty\" is no salinity; expected one such as 35 (g/kg); ");
+    EXPECT_EQ(refusal("sea-water@20C,40"), "sea water of 40 g/kg salt; expected 0 to 35; ");
+    EXPECT_EQ(refusal("sea-water@50C,35"), "water of 50 °C; expected 0 to 30 °C; ");
 }
 
 TEST(FindGlass, NamesTheNearestOfAnUnknownGlass) {

@@ -58,8 +58,8 @@ struct DispersionForm {
     DispersionPtr (*make)(const DispersionData& data);
 };
 /// Formulas by the names of the field (constant, sellmeier, cauchy, hartmann, conrady, herzberger,
-/// schott, …), those of two numbers (abbe, pov_ray), table, gas, water; and those of glass files by
-/// number, with coefficients as the files have them: agf_1 … agf_13, rii_1 … rii_9.
+/// schott, …), those of two numbers (abbe, pov_ray), table, gas, water, sea_water; and those of
+/// glass files by number, with coefficients as the files have them: agf_1 … agf_13, rii_1 … rii_9.
 const std::vector<DispersionForm>& dispersion_forms();
 
 /// Builds the dispersion. With IndexReference::air the formula is evaluated at the wavelength in

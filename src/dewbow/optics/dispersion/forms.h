@@ -62,5 +62,6 @@ DispersionPtr make_gas(const DispersionData& data);
 DispersionPtr make_rii_6(const DispersionData& data);
 DispersionPtr make_table(const DispersionData& data);
 DispersionPtr make_water(const DispersionData& data);
+DispersionPtr make_sea_water(const DispersionData& data);
 
 }  // namespace dewbow::dispersion

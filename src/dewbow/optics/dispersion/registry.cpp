@@ -43,6 +43,8 @@ std::vector<DispersionForm> named_forms() {
          "Ciddor 1996", 2, 2 * kMostGasTerms, make_gas},
         {"water", "liquid water at 101325 Pa  (temperature in °C), or of a density (…, kg/m³)",
          "IAPWS R9-97; Kell 1975", 1, 2, make_water},
+        {"sea_water", "sea water at 101325 Pa  (temperature in °C, salinity in g/kg)",
+         "IAPWS R9-97; Quan & Fry 1995", 2, 2, make_sea_water},
     };
 }
 
