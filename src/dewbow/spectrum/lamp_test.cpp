@@ -98,6 +98,14 @@ TEST(Lamps, OfTheCieHaveThePublishedChromaticities) {
     }
 }
 
+TEST(Lamps, HaveTheSunAboveTheAtmosphere) {
+    // Of ASTM G173's extraterrestrial spectrum (Gueymard's), another evaluation.
+    constexpr double kEvaluations = 5e-4;
+    const auto [x, y] = chromaticity(*find_illuminant("sun-am0"));
+    EXPECT_NEAR(x, 0.32338, kEvaluations);
+    EXPECT_NEAR(y, 0.33266, kEvaluations);
+}
+
 // Chromaticities as another program computes them from its tables: colour-science, datasets of
 // light sources.
 TEST(Lamps, OfNistHaveTheirChromaticities) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/sky/direct_sun.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "dewbow/base/error.h"
+#include "dewbow/math/interpolation.h"
+#include "dewbow/spectrum/lanewise.h"
+
+namespace dewbow {
+namespace {
+
+constexpr double kStandardPressure_hPa = 1013.25;
+/// Molecules per m² of one Dobson unit.
+constexpr double kDobson_per_m2 = 2.6867e20;
+
+/// Absorption cross section of a molecule of ozone, m², in bins of 10 nm from 360 nm.
+constexpr double kFirstOzoneBin_nm = 365.0, kOzoneBin_nm = 10.0;
+constexpr std::array<double, 48> kOzone_m2 = {
+    1.18e-27,  2.182e-28, 2.818e-28, 6.636e-28, 1.527e-27, 2.763e-27, 5.52e-27,  8.451e-27,
+    1.582e-26, 2.316e-26, 3.669e-26, 4.924e-26, 7.752e-26, 9.016e-26, 1.48e-25,  1.602e-25,
+    2.139e-25, 2.755e-25, 3.091e-25, 3.5e-25,   4.266e-25, 4.672e-25, 4.398e-25, 4.701e-25,
+    5.019e-25, 4.305e-25, 3.74e-25,  3.215e-25, 2.662e-25, 2.238e-25, 1.852e-25, 1.473e-25,
+    1.209e-25, 9.423e-26, 7.455e-26, 6.566e-26, 5.105e-26, 4.15e-26,  4.228e-26, 3.237e-26,
+    2.451e-26, 2.801e-26, 2.534e-26, 1.624e-26, 1.465e-26, 2.078e-26, 1.383e-26, 7.105e-27};
+
+void check_range(double value, double least, double most, const char* what) {
+    if (value >= least && value <= most) return;
+    throw InputError(
+        fmt::format("{} {:.6g} of a clear sky; expected {} to {}", what, value, least, most));
+}
+
+void check_altitude(Angle altitude) {
+    if (altitude >= Angle{} && altitude <= 90.0 * unit::deg) return;
+    throw InputError(fmt::format("the sun at {:.6g}°; expected 0° (the horizon) to 90°",
+                                 altitude.to(unit::deg)));
+}
+
+class DirectTransmittance final : public Lanewise<DirectTransmittance> {
+public:
+    DirectTransmittance(Angle altitude, const ClearSky& sky)
+        : sky_(sky),
+          air_mass_(relative_air_mass(altitude)),
+          ozone_mass_(relative_ozone_mass(altitude)) {}
+
+    double value_at(double lambda_nm) const {
+        const Wavelength lambda = lambda_nm * unit::nm;
+        const double aerosol =
+            sky_.aerosol_depth_500nm * std::pow(lambda_nm / 500.0, -sky_.angstrom_exponent);
+        const double rayleigh = rayleigh_depth(lambda) * sky_.pressure_hPa / kStandardPressure_hPa;
+        return std::exp(-air_mass_ * (rayleigh + aerosol) -
+                        ozone_mass_ * ozone_depth(lambda, sky_.ozone_dobson));
+    }
+    double max_value() const override { return 1.0; }
+
+private:
+    ClearSky sky_;
+    double air_mass_, ozone_mass_;
+};
+
+class Product final : public Lanewise<Product> {
+public:
+    Product(SpectrumPtr a, SpectrumPtr b) : a_(std::move(a)), b_(std::move(b)) {
+        for (double nm = kLambdaMin_nm; nm <= kLambdaMax_nm; nm += 1.0)
+            max_value_ = std::max(max_value_, value_at(nm));
+    }
+    double value_at(double lambda_nm) const {
+        return (*a_)(lambda_nm * unit::nm) * (*b_)(lambda_nm * unit::nm);
+    }
+    double max_value() const override { return max_value_; }
+
+private:
+    SpectrumPtr a_, b_;
+    double max_value_ = 0.0;
+};
+
+}  // namespace
+
+double relative_air_mass(Angle altitude) {
+    check_altitude(altitude);
+    return 1.0 / (sin(altitude) + 0.50572 * std::pow(altitude.to(unit::deg) + 6.07995, -1.6364));
+}
+
+double relative_ozone_mass(Angle altitude) {
+    check_altitude(altitude);
+    constexpr double kHeight = 22.0 / 6370.0;
+    const double s = sin(altitude);
+    return (1.0 + kHeight) / std::sqrt(s * s + 2.0 * kHeight);
+}
+
+double rayleigh_depth(Wavelength lambda) {
+    const double per_um2 = 1e6 / std::pow(lambda.to(unit::nm), 2);
+    return 0.008569 * per_um2 * per_um2 * (1.0 + 0.0113 * per_um2 + 0.00013 * per_um2 * per_um2);
+}
+
+double ozone_depth(Wavelength lambda, double dobson) {
+    return dobson * kDobson_per_m2 *
+           interpolate_linear_regular(kFirstOzoneBin_nm, kOzoneBin_nm, kOzone_m2,
+                                      lambda.to(unit::nm));
+}
+
+SpectrumPtr make_direct_transmittance(Angle altitude, const ClearSky& sky) {
+    check_range(sky.pressure_hPa, 100.0, 1100.0, "pressure");
+    check_range(sky.aerosol_depth_500nm, 0.0, 5.0, "aerosol depth");
+    check_range(sky.angstrom_exponent, -1.0, 4.0, "Ångström exponent");
+    check_range(sky.ozone_dobson, 0.0, 700.0, "ozone column");
+    return std::make_shared<DirectTransmittance>(altitude, sky);
+}
+
+SpectrumPtr make_direct_sunlight(SpectrumPtr above, Angle altitude, const ClearSky& sky) {
+    return std::make_shared<Product>(std::move(above), make_direct_transmittance(altitude, sky));
+}
+
+}  // namespace dewbow
