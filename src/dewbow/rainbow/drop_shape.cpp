@@ -28,9 +28,9 @@ SunFrame sun_frame(Angle altitude) {
 }
 
 /// Rays through a spheroid of half-axis k along `axis` and 1 across.
-class Spheroid {
+class SpheroidRays {
 public:
-    Spheroid(const DropShape& shape, RelativeIndex n) : k_(shape.axis_ratio), n_(n.value) {
+    SpheroidRays(const Spheroid& shape, RelativeIndex n) : k_(shape.axis_ratio), n_(n.value) {
         axis_ = normalised({-tan(shape.tilt_to_sun), -tan(shape.tilt_to_right), 1.0});
     }
 
@@ -81,7 +81,7 @@ private:
 /// of b: a bow is its extremum.
 class Meridian {
 public:
-    Meridian(const Spheroid& drop, const SunFrame& frame, const DescartesRay& bow, Angle clock)
+    Meridian(const SpheroidRays& drop, const SunFrame& frame, const DescartesRay& bow, Angle clock)
         : drop_(drop), frame_(frame), p_(bow.p) {
         // Light comes from the bow's place: it travels to the opposite clock angle. For p = 2 it
         // leaves below the axis if it has come in above.
@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    const Spheroid& drop_;
+    const SpheroidRays& drop_;
     const SunFrame& frame_;
     int p_;
     double wanted_, psi_;
@@ -173,10 +173,10 @@ BowShifts first_order_bow_shifts(RelativeIndex n, double axis_ratio, const BowPl
     return shifts;
 }
 
-BowShifts bow_shifts(RelativeIndex n, const DropShape& shape, const BowPlace& place) {
+BowShifts bow_shifts(RelativeIndex n, const Spheroid& shape, const BowPlace& place) {
     BowShifts shifts{};
     if (shape.axis_ratio == 1.0) return shifts;
-    const Spheroid drop(shape, n);
+    const SpheroidRays drop(shape, n);
     const SunFrame frame = sun_frame(place.sun_altitude);
     std::optional<BowShifts> first_order;
     for (int p = 2; p <= kHighestOrder; ++p) {

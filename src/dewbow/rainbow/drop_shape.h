@@ -20,8 +20,8 @@ namespace dewbow {
 ///          2013, eq. 4]
 double raindrop_axis_ratio(Length radius);
 
-/// A spheroid.
-struct DropShape {
+/// A drop of this shape.
+struct Spheroid {
     double axis_ratio = 1.0;  ///< along the axis over across, 0.5 to 1.5
     /// Of the axis against the vertical: towards the sun's azimuth, and to the right of that.
     Angle tilt_to_sun{}, tilt_to_right{};
@@ -39,7 +39,7 @@ struct BowPlace {
 ///
 /// Error 1e-7 rad for shifts below 5°. Where there is no fold of light near the sphere's (axis
 /// ratios below about 0.85) it is what first_order_bow_shifts says. Cost: 10 to 30 µs an order.
-BowShifts bow_shifts(RelativeIndex n, const DropShape& shape, const BowPlace& place);
+BowShifts bow_shifts(RelativeIndex n, const Spheroid& shape, const BowPlace& place);
 
 /// The same to first order in e = (1 − axis ratio) / (1 + axis ratio), for a drop without tilt:
 /// ΔD = −e A_p V cos(ρ − 2α), V = sin²h + cos²h cos²χ, sin α = sin h / √V, ρ = 180° − the bow's
@@ -60,7 +60,7 @@ struct ShapeSpread {
     Angle tilt{};  ///< standard deviation of the axis in each of two directions, 0 to 30°
 };
 struct WeightedShape {
-    DropShape shape;
+    Spheroid shape;
     double share = 0.0;
 };
 /// Raindrops of one size: a single shape without spread; else three for each kind of it (Gauss's
