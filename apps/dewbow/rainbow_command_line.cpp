@@ -110,6 +110,9 @@ void RainbowCommandLine::add_model() {
                    "Orders of light that count: 0 reflected, 2 the primary bow, 3 the secondary; "
                    "repeatable. Default: all",
                    "P");
+    add_flag(*rainbow_, "--paper", paper_,
+             "The rainbow of Musgrave 1989 instead: what is wrong in it, its table of fogs (-o "
+             "FILE.csv), --plot paper=FILE and --plot errata=FILE");
     add_option(*rainbow_, "--tolerance", tolerance_,
                "Error that `auto` may make, of the primary bow's peak. Default: 0.02", "0.02");
 }
@@ -177,7 +180,15 @@ void RainbowCommandLine::read_model(Storm& storm) const {
         storm.models.push_back(known[parse_word("--model", word, known)]);
     storm.orders = parse_orders("--order", orders_);
     if (tolerance_) storm.tolerance = parse_in_range("--tolerance", *tolerance_, kTolerances);
-    if (paper_) storm.paper = true;
+    if (!paper_) return;
+    storm.paper = true;
+    if (!models_.empty() || !orders_.empty())
+        throw UsageError(
+            "--paper has a model and orders of its own: leave --model and --order away");
+    for (const std::string& output : outputs_)
+        if (ending_of(output) != ".csv")
+            throw UsageError("--paper writes a table of fogs: expected -o FILE.csv, found \"" +
+                             output + "\"");
 }
 
 void RainbowCommandLine::read_drops(Storm& storm) const {

@@ -142,7 +142,7 @@ Erratum thirteen_samples() {
                 double brightest = 0.0;
                 for (std::size_t i = many.size() / 2; i < many.size(); ++i)
                     brightest = std::max(brightest, many[i][2]);
-                e.curves = {luminance("13, as published", few, setup.bucket_deg, brightest, true),
+                e.curves = {luminance("13", few, setup.bucket_deg, brightest, true),
                             luminance("400", many, setup.bucket_deg, brightest, false)};
             }
         }

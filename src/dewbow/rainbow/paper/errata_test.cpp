@@ -156,7 +156,9 @@ TEST(PaperErrata, HaveCurvesAndWordsToShow) {
             published |= curve.as_published;
             ASSERT_EQ(curve.x.size(), curve.y.size()) << erratum.name;
             EXPECT_TRUE(std::is_sorted(curve.x.begin(), curve.x.end())) << erratum.name;
-            for (double y : curve.y) EXPECT_TRUE(std::isfinite(y)) << erratum.name;
+            const auto gaps = std::count_if(curve.y.begin(), curve.y.end(),
+                                            [](double y) { return !std::isfinite(y); });
+            EXPECT_LT(double(gaps), 0.5 * double(curve.y.size())) << erratum.name;
         }
         EXPECT_TRUE(published) << erratum.name;
     }
