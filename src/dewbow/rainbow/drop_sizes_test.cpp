@@ -135,6 +135,20 @@ TEST(DropSizes, CloudC1IsDeirmendjians) {
     }
 }
 
+TEST(DropSizes, FogsHaveTheirRadii) {
+    // r_eff = (α + 3) / b with b = α / r_c: 0.3, 0.375, 1.5 and 3 per µm.
+    const struct {
+        const char* name;
+        double effective_um;
+    } fogs[] = {{"fog:strong-advection", 20.0},
+                {"fog:moderate-advection", 16.0},
+                {"fog:strong-spray", 6.0},
+                {"fog:moderate-spray", 3.0}};
+    for (const auto& fog : fogs)
+        EXPECT_NEAR(effective_radius(*parse_drop_sizes(fog.name)).to(um), fog.effective_um, 1e-12)
+            << fog.name;
+}
+
 TEST(DropSizes, MarshallAndPalmersRainFalls) {
     // The rate of 8000 drops / m³ mm that fall at 17.67 (D/cm)^0.67 m/s [Atlas & Ulbrich 1977]
     // comes out near the rate put in, for 1 to 25 mm/h, Marshall and Palmer's range. Theirs was a
