@@ -2,6 +2,7 @@
 #include "rainbow_command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/models.h"
@@ -180,11 +181,19 @@ void RainbowCommandLine::read_model(Storm& storm) const {
         storm.models.push_back(known[parse_word("--model", word, known)]);
     storm.orders = parse_orders("--order", orders_);
     if (tolerance_) storm.tolerance = parse_in_range("--tolerance", *tolerance_, kTolerances);
+    if (paper_) storm.paper = true;
+}
+
+void RainbowCommandLine::check_paper() const {
     if (!paper_) return;
-    storm.paper = true;
-    if (!models_.empty() || !orders_.empty())
-        throw UsageError(
-            "--paper has a model and orders of its own: leave --model and --order away");
+    static const std::vector<std::string> with_paper = {"--paper",   "--output", "--plot",
+                                                        "--threads", "--quiet",  "--json"};
+    for (const CLI::Option* option : rainbow_->get_options())
+        if (option->count() > 0 &&
+            std::none_of(with_paper.begin(), with_paper.end(),
+                         [&](const std::string& name) { return option->check_name(name); }))
+            throw UsageError("--paper is a rainbow of its own: leave " + option->get_name() +
+                             " away");
     for (const std::string& output : outputs_)
         if (ending_of(output) != ".csv")
             throw UsageError("--paper writes a table of fogs: expected -o FILE.csv, found \"" +
@@ -263,6 +272,7 @@ void RainbowCommandLine::read_sphere(RainbowCommand& command) const {
 std::optional<RainbowCommand> RainbowCommandLine::command() const {
     if (!rainbow_->parsed()) return std::nullopt;
     RainbowCommand command;
+    check_paper();
     if (storm_ && storm_->empty()) throw UsageError("the name of the storm file is empty");
     command.storm_file = storm_.value_or("");
     read_model(command.options);

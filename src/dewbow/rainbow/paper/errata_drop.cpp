@@ -76,6 +76,11 @@ Erratum geometry() {
     const double primary = descartes_ray(red, 2).radius().to(unit::deg);
     const double secondary = descartes_ray(red, 3).radius().to(unit::deg);
     const double sun = 2.0 * kSunRadius.to(unit::deg);
+    const RelativeIndex violet = paper_index(paper_method_corrected(), 400.0 * unit::nm);
+    const auto width = [&](int p) {
+        return abs(descartes_ray(red, p).radius() - descartes_ray(violet, p).radius())
+            .to(unit::deg);
+    };
     const auto by_rays = [](int p) { return sky(p, RayDensity::even_over_disc, true); };
     const std::vector<double> two = by_rays(2), bows = sum(two, by_rays(3));
     const std::vector<double> all = sum(sum(bows, by_rays(0)), sum(by_rays(6), by_rays(7)));
@@ -93,6 +98,8 @@ Erratum geometry() {
         "and of orders 6 and 7; 50.9° at the sodium line; the deflection is least there";
     e.rows = {{"width of Alexander's band, 700 nm, point sun", "deg", 10.0, secondary - primary},
               {"the same between discs of the sun", "deg", 10.0, secondary - primary - sun},
+              {"width of the primary, 400-700 nm, point sun", "deg", 2.0, width(2)},
+              {"width of the secondary, 400-700 nm, point sun", "deg", 2.0, width(3)},
               {"light in the band over the primary's peak, rays", "", 0.0, band / count / peak},
               {"radius of the secondary, n = 1.333", "deg", 52.0,
                descartes_ray(kWater, 3).radius().to(unit::deg)},

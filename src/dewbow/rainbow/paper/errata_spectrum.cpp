@@ -122,7 +122,8 @@ Erratum thirteen_samples() {
     e.paper_says =
         "13 samples even in \"frequencies or wavelengths\"; the sun's disc blurs their "
         "rings together well enough";
-    e.right = "it does not: 40 wavelengths for the primary, 60 for both, or jitter";
+    e.right =
+        "it does not: 40 wavelengths for the primary, 60 for both, or jitter (right: with 65)";
     const auto percent = [](double error) { return 100.0 * error; };
     for (const auto& [where, setup] : {std::pair{"", otherwise_right()},
                                        std::pair{", with all else as published", as_published()}})
