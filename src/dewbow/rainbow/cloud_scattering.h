@@ -5,14 +5,12 @@
 // before the sun's disc.
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "dewbow/base/quantity.h"
 #include "dewbow/optics/dispersion.h"
-#include "dewbow/rainbow/cloud_shapes.h"
 #include "dewbow/rainbow/drop_sizes.h"
 #include "dewbow/rainbow/models.h"
 #include "dewbow/rainbow/scattering.h"
@@ -36,8 +34,7 @@ struct DropOptics {
 /// Drops in classes of one radius each.
 struct Cloud {
     DropOptics optics;
-    std::vector<WeightedRadius> radii;    ///< ascending
-    std::optional<FallingShape> falling;  ///< nothing: spheres
+    std::vector<WeightedRadius> radii;  ///< ascending
 };
 
 /// Sums over drops, each times its share.
