@@ -2,6 +2,7 @@
 #include "rainbow_command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/models.h"
@@ -110,6 +111,9 @@ void RainbowCommandLine::add_model() {
                    "Orders of light that count: 0 reflected, 2 the primary bow, 3 the secondary; "
                    "repeatable. Default: all",
                    "P");
+    add_flag(*rainbow_, "--paper", paper_,
+             "The rainbow of Musgrave 1989 instead: what is wrong in it, its table of fogs (-o "
+             "FILE.csv), --plot paper=FILE and --plot errata=FILE");
     add_option(*rainbow_, "--tolerance", tolerance_,
                "Error that `auto` may make, of the primary bow's peak. Default: 0.02", "0.02");
 }
@@ -178,6 +182,22 @@ void RainbowCommandLine::read_model(Storm& storm) const {
     storm.orders = parse_orders("--order", orders_);
     if (tolerance_) storm.tolerance = parse_in_range("--tolerance", *tolerance_, kTolerances);
     if (paper_) storm.paper = true;
+}
+
+void RainbowCommandLine::check_paper() const {
+    if (!paper_) return;
+    static const std::vector<std::string> with_paper = {"--paper",   "--output", "--plot",
+                                                        "--threads", "--quiet",  "--json"};
+    for (const CLI::Option* option : rainbow_->get_options())
+        if (option->count() > 0 &&
+            std::none_of(with_paper.begin(), with_paper.end(),
+                         [&](const std::string& name) { return option->check_name(name); }))
+            throw UsageError("--paper is a rainbow of its own: leave " + option->get_name() +
+                             " away");
+    for (const std::string& output : outputs_)
+        if (ending_of(output) != ".csv")
+            throw UsageError("--paper writes a table of fogs: expected -o FILE.csv, found \"" +
+                             output + "\"");
 }
 
 void RainbowCommandLine::read_drops(Storm& storm) const {
@@ -252,6 +272,7 @@ void RainbowCommandLine::read_sphere(RainbowCommand& command) const {
 std::optional<RainbowCommand> RainbowCommandLine::command() const {
     if (!rainbow_->parsed()) return std::nullopt;
     RainbowCommand command;
+    check_paper();
     if (storm_ && storm_->empty()) throw UsageError("the name of the storm file is empty");
     command.storm_file = storm_.value_or("");
     read_model(command.options);

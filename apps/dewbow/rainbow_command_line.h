@@ -32,6 +32,8 @@ private:
     void read_sun(Storm& storm) const;
     void read_view(Storm& storm) const;
     void read_sphere(RainbowCommand& command) const;
+    /// Throws UsageError for what --paper does not go with.
+    void check_paper() const;
 
     using Text = std::optional<std::string>;
     CLI::App* rainbow_ = nullptr;

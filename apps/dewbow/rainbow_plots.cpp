@@ -15,6 +15,8 @@ const std::vector<RainbowPlotRow>& rainbow_plots() {
         {"polarisation", "degree of polarisation by angle", {".svg"}, draw_polarisation},
         {"rays", "rays through the drop, and their deflection", {".svg"}, draw_rays},
         {"strip", "colours by angle", {".svg", ".png"}, draw_strip},
+        {"paper", "the rainbows of Musgrave 1989 as strips", {".svg", ".png"}, draw_paper},
+        {"errata", "what is wrong in them, measured", {".svg", ".csv"}, draw_errata},
         {"arc", "the bow in the sky, by the sun's altitude", {".svg", ".png"}, draw_arc},
     };
     return rows;

@@ -28,6 +28,8 @@ std::string draw_intensity_linear(RainbowTables& tables, const std::string& endi
 std::string draw_polarisation(RainbowTables& tables, const std::string& ending);
 std::string draw_rays(RainbowTables& tables, const std::string& ending);
 std::string draw_strip(RainbowTables& tables, const std::string& ending);
+std::string draw_paper(RainbowTables& tables, const std::string& ending);
+std::string draw_errata(RainbowTables& tables, const std::string& ending);
 std::string draw_arc(RainbowTables& tables, const std::string& ending);
 
 }  // namespace dewbow

@@ -8,6 +8,7 @@
 #include "dewbow/base/file.h"
 #include "dewbow/base/parallel.h"
 #include "rainbow_output.h"
+#include "rainbow_paper.h"
 #include "rainbow_plots.h"
 #include "rainbow_self_check.h"
 #include "rainbow_setup.h"
@@ -31,7 +32,8 @@ std::vector<std::string> write_all(const RainbowCommand& command, RainbowTables&
         written.push_back(file);
         if (!command.quiet) print_message("wrote " + file);
     };
-    for (const std::string& file : command.outputs) write(file, rainbow_output(file, tables));
+    for (const std::string& file : command.outputs)
+        write(file, command.options.paper ? paper_csv() : rainbow_output(file, tables));
     for (const RainbowPlotRequest& plot : command.plots)
         write(plot.file, rainbow_plot(plot.kind, plot.file, tables));
     return written;
@@ -47,10 +49,11 @@ int run(const RainbowCommand& command) {
     check_all_writable(command);
     RainbowTables tables(set_up(command));
     const std::vector<std::string> written = write_all(command, tables);
+    const bool paper = command.options.paper.has_value();
     if (command.json)
-        print_data(summary_json(tables, written));
+        print_data(paper ? paper_json() : summary_json(tables, written));
     else if (!files && !command.quiet)
-        print_data(summary_text(tables));
+        print_data(paper ? paper_text() : summary_text(tables));
     return kDone;
 }
 

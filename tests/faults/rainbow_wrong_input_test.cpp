@@ -91,6 +91,9 @@ TEST(RainbowWrongInput, ModelsAndFiles) {
         {{"storm.toml"}, kWrongInput, {"storm.toml:1:1: unknown key \"rain\""}, "rain = 1"},
         {{"storm.toml"}, kWrongInput, {"storm.toml:1:9: not TOML"}, "model = "},
         {{"storm.toml", "second.toml"}, kWrongUse, {"second.toml"}},
+        {{"--paper", "--model", "mie"}, kWrongUse, {"--paper is a rainbow of its own", "--model"}},
+        {{"storm.toml", "--paper"}, kWrongUse, {"--paper is a rainbow of its own", "storm"}},
+        {{"--paper", "-o", "a.exr"}, kWrongUse, {"expected -o FILE.csv, found \"a.exr\""}},
         {{"--redius", "1mm"}, kWrongUse, {"--redius", "--radius"}},
     });
 }

@@ -382,25 +382,30 @@ std::string plot_colour(std::size_t index) {
     return kColours[index % kColours.size()];
 }
 
-std::string svg_of(std::span<const PlotPanel> panels) {
+std::string svg_of(std::span<const PlotPanel> panels, std::size_t columns) {
+    if (columns == 0) columns = panels.size();
     double width = 0.0, height = 0.0;
-    for (const PlotPanel& panel : panels) {
-        width += panel.width;
-        height = std::max(height, panel.height);
+    std::string rows;
+    for (std::size_t first = 0; first < panels.size(); first += columns) {
+        double left = 0.0, highest = 0.0;
+        rows += fmt::format("<g transform=\"translate(0 {:.0f})\">\n", height);
+        for (std::size_t i = first; i < std::min(first + columns, panels.size()); ++i) {
+            rows += PanelWriter(panels[i], left, i).write();
+            left += panels[i].width;
+            highest = std::max(highest, panels[i].height);
+        }
+        rows += "</g>\n";
+        width = std::max(width, left);
+        height += highest;
     }
-    std::string out = fmt::format(
+    const std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"DejaVu Sans, Verdana, sans-serif\" "
         "font-size=\"{2}\">\n<style>text {{ paint-order: stroke; stroke: white; stroke-width: 3px; "
         "stroke-linejoin: round }}</style>\n<rect width=\"100%\" height=\"100%\" "
         "fill=\"white\"/>\n",
         width, height, kFont);
-    double left = 0.0;
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        out += PanelWriter(panels[i], left, i).write();
-        left += panels[i].width;
-    }
-    return out + "</svg>\n";
+    return out + rows + "</svg>\n";
 }
 
 }  // namespace dewbow

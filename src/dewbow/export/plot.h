@@ -3,6 +3,7 @@
 
 // Plots as SVG: panels side by side, each with axes, a picture, curves and labelled marks.
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,9 +59,9 @@ struct PlotPanel {
     double width = 620.0, height = 470.0;               ///< in pixels, with what stands around it
 };
 
-/// The panels as one picture, as high as the highest. Labels are put where none covers another as
-/// far as there is room.
-std::string svg_of(std::span<const PlotPanel> panels);
+/// The panels as one picture, in rows of `columns` (0: a single row), each as high as its highest.
+/// Labels are put where none covers another as far as there is room.
+std::string svg_of(std::span<const PlotPanel> panels, std::size_t columns = 0);
 
 /// Colours that are told apart by all eyes, for curve `index`.        [Okabe & Ito 2008, darkened]
 std::string plot_colour(std::size_t index);

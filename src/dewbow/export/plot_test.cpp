@@ -103,6 +103,14 @@ TEST(Svg, LeavesGapsAndDropsWhatNobodyWouldMiss) {
     EXPECT_NE(svg.find("points=\"253.07,226.00 598.00,226.00 \""), std::string::npos) << svg;
 }
 
+TEST(Svg, PutsPanelsInRows) {
+    const std::vector<PlotPanel> panels(5, panel());
+    const std::string svg = svg_of(panels, 2);
+    EXPECT_NE(svg.find("width=\"1240\" height=\"1410\""), std::string::npos) << svg.substr(0, 99);
+    EXPECT_NE(svg.find("translate(0 940)"), std::string::npos);
+    EXPECT_NE(svg_of(panels).find("width=\"3100\" height=\"470\""), std::string::npos);
+}
+
 /// By the test vectors of RFC 4648, section 10.
 TEST(Svg, HoldsPictures) {
     const auto holds = [](const std::string& bytes, const std::string& base64) {

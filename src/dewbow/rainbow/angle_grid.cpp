@@ -15,8 +15,8 @@ namespace {
 using namespace unit;
 
 constexpr double kPi = std::numbers::pi;
-/// Steps where nothing happens, and how fast they grow with the distance from where something does.
-constexpr double kLongest = 0.4 * kPi / 180.0, kGrowth = 0.04;
+/// How fast steps grow with the distance from where something happens.
+constexpr double kGrowth = 0.04;
 /// At 0° and 180°, of 1/x.
 constexpr double kAtAxis = 0.25;
 /// How far the fringes of a bow go on its bright side, and its light on the dark one, in Airy
@@ -58,7 +58,8 @@ std::vector<Zone> zones_of(const AngleGrid& grid) {
 
 std::vector<Angle> adaptive_angles(const AngleGrid& grid) {
     const std::vector<Zone> zones = zones_of(grid);
-    const double longest = grid.fringes ? std::min(kLongest, 0.5 * kPi / grid.x) : kLongest;
+    double longest = grid.longest.to(rad);
+    if (grid.fringes) longest = std::min(longest, 0.5 * kPi / grid.x);
     const double from = grid.from.to(rad), to = grid.to.to(rad);
     std::vector<Angle> angles;
     for (double theta = from; theta < to;) {

@@ -20,6 +20,7 @@ struct AngleGrid {
     /// half of its fringes everywhere.
     bool fringes = false;
     Angle from = 0.0 * unit::deg, to = 180.0 * unit::deg;
+    Angle longest = 0.4 * unit::deg;  ///< step
     /// Parts of an Airy unit (h/x²)^{1/3} between angles at the bows.
     double parts = 12.0;
 };

@@ -33,6 +33,8 @@ constexpr std::size_t kCorrectionNodes = 16, kCorrectionDegree = 4;
 /// some angles costs x (0.15 ns · angles + 40 ns).
 constexpr double kCorrectionNs = 2.5e8, kNsPerAngle = 0.15, kNsPerWave = 40.0;
 constexpr double kLeastRadii = 8.0;
+/// Radii over all nodes for efficiencies alone.
+constexpr std::size_t kEfficiencyRadii = 128;
 
 /// Classes of drops in about `most` groups, ⟨1⟩ and ⟨r²⟩ kept in each.
 /// @param offset  0 to 1: where the groups begin, in groups.
@@ -113,6 +115,43 @@ double mean_x_squared(const Cloud& cloud, Wavelength lambda) {
     return sum;
 }
 
+/// Drops that turn an order's bow by about the same shift.
+struct ShiftedDrops {
+    FringeAverage fringes;        ///< at the reference wavelength
+    Angle at_least, at_greatest;  ///< shift at the least and greatest index
+};
+
+/// Of order p, in steps of shift that the sun's disc hides; longer where drops are few and their
+/// shifts large, and for the faint bows of orders above 3.
+std::vector<ShiftedDrops> shifted_drops(const Cloud& cloud, std::vector<ShapedDrops> shaped, int p,
+                                        Wavelength reference) {
+    constexpr Angle kFineStep = 0.05 * deg, kCoarseStep = 4.0 * deg;
+    constexpr double kOfShift = 0.04, kFringes = 30.0;
+    std::sort(shaped.begin(), shaped.end(), [p](const ShapedDrops& a, const ShapedDrops& b) {
+        return a.shift(p, 0.5) < b.shift(p, 0.5);
+    });
+    std::vector<ShiftedDrops> groups;
+    for (std::size_t first = 0, last = 0; first < shaped.size(); first = last) {
+        std::vector<double> sizes, shares;
+        Angle at_least, at_greatest;
+        double weight = 0.0;
+        const Angle begin = shaped[first].shift(p, 0.5);
+        const Angle step = std::max(p <= 3 ? kFineStep : kCoarseStep, kOfShift * abs(begin));
+        for (; last < shaped.size() && shaped[last].shift(p, 0.5) - begin <= step; ++last) {
+            const WeightedRadius& drop = cloud.radii[shaped[last].radius];
+            sizes.push_back(cloud.optics.size_parameter(drop.radius, reference));
+            shares.push_back(drop.share * shaped[last].share);
+            const double section = shares.back() * sizes.back() * sizes.back();
+            weight += section;
+            at_least += section * shaped[last].shift(p, 0.0);
+            at_greatest += section * shaped[last].shift(p, 1.0);
+        }
+        groups.push_back(
+            {FringeAverage(sizes, shares, kFringes), at_least / weight, at_greatest / weight});
+    }
+    return groups;
+}
+
 /// Large drops of many sizes: the sum of orders, corrected by Mie theory where the plan says so.
 class LargeDrops {
 public:
@@ -125,14 +164,22 @@ public:
 private:
     /// What Mie theory adds to the sum at some angles, and efficiencies, at a node.
     DropSums correction_at(std::size_t node, std::span<const Angle> angles) const;
+    /// The sum of orders of spheres, or of what falls.
     std::vector<Intensities> composed(Wavelength lambda, std::span<const Angle> angles) const;
+    std::vector<Intensities> composed_falling(Wavelength lambda,
+                                              std::span<const Angle> angles) const;
+    double size_ratio(Wavelength lambda) const {
+        return cloud_.optics.size_parameter(1.0 * mm, lambda) /
+               cloud_.optics.size_parameter(1.0 * mm, reference_);
+    }
 
     const Cloud& cloud_;
     std::span<const Wavelength> wavelengths_;
     std::span<const Angle> angles_;
     Wavelength reference_;
     CompositionFamily compositions_;
-    DropAverages averages_;  ///< at the reference wavelength
+    DropAverages averages_;                           ///< at the reference wavelength
+    std::vector<std::vector<ShiftedDrops>> shifted_;  ///< by order, if drops fall
     WavelengthFit fit_;
     std::size_t radius_count_ = 0;        ///< at each node
     std::vector<std::size_t> corrected_;  ///< numbers of angles
@@ -151,6 +198,15 @@ LargeDrops::LargeDrops(const Cloud& cloud, std::span<const Wavelength> wavelengt
                     orders),
       averages_(averages_of(cloud, reference_)),
       fit_(wavelengths, kCorrectionNodes, kCorrectionDegree) {
+    if (cloud.falling) {
+        const Cloud some{cloud.optics, grouped(cloud.radii, kSummedRadii, 0.0), {}};
+        const std::vector<ShapedDrops> shaped =
+            shape_drops(some.radii, cloud.falling, cloud.optics.index(wavelengths.back()),
+                        cloud.optics.index(wavelengths.front()));
+        shifted_.resize(kHighestOrder + 1);
+        for (int p = 2; p <= kHighestOrder; ++p)
+            shifted_[std::size_t(p)] = shifted_drops(some, shaped, p, reference_);
+    }
     std::vector<Angle> exact;
     if (orders.empty())
         for (std::size_t a = 0; a < angles.size(); ++a)
@@ -162,6 +218,8 @@ LargeDrops::LargeDrops(const Cloud& cloud, std::span<const Wavelength> wavelengt
     radius_count_ = std::min(
         radii_needed(cloud, reference_),
         std::size_t(std::max(kCorrectionNs / (ns_per_drop * double(node_count())), kLeastRadii)));
+    if (exact.empty())  // efficiencies alone
+        radius_count_ = std::min(radius_count_, kEfficiencyRadii / node_count());
     corrections_.resize(node_count());
     parallel_or_throw(node_count(),
                       [&](std::size_t k) { corrections_[k] = correction_at(k, exact); });
@@ -172,7 +230,7 @@ DropSums LargeDrops::correction_at(std::size_t node, std::span<const Angle> angl
     constexpr double kGoldenRatio = 0.6180339887498949;
     const double offset = std::fmod(double(node) * kGoldenRatio, 1.0);
     const Wavelength lambda = fit_.nodes()[node];
-    const Cloud some{cloud_.optics, grouped(cloud_.radii, radius_count_, offset)};
+    const Cloud some{cloud_.optics, grouped(cloud_.radii, radius_count_, offset), {}};
     DropSums mie = scatter_exactly(some, lambda, angles);
     const std::vector<Intensities> sum = composed(lambda, angles);
     for (std::size_t a = 0; a < angles.size(); ++a) {
@@ -185,10 +243,27 @@ DropSums LargeDrops::correction_at(std::size_t node, std::span<const Angle> angl
 std::vector<Intensities> LargeDrops::composed(Wavelength lambda,
                                               std::span<const Angle> angles) const {
     std::vector<Intensities> sum(angles.size());
-    if (angles.empty()) return sum;
-    const double ratio = cloud_.optics.size_parameter(1.0 * mm, lambda) /
-                         cloud_.optics.size_parameter(1.0 * mm, reference_);
-    compositions_.at(cloud_.optics.index(lambda)).add(averages_.rescaled(ratio), {}, angles, sum);
+    if (!angles.empty())
+        compositions_.at(cloud_.optics.index(lambda))
+            .add(averages_.rescaled(size_ratio(lambda)), {}, angles, sum);
+    return sum;
+}
+
+std::vector<Intensities> LargeDrops::composed_falling(Wavelength lambda,
+                                                      std::span<const Angle> angles) const {
+    std::vector<Intensities> sum(angles.size());
+    const double ratio = size_ratio(lambda);
+    const RelativeIndex n = cloud_.optics.index(lambda),
+                        least = cloud_.optics.index(wavelengths_.back()),
+                        greatest = cloud_.optics.index(wavelengths_.front());
+    const double range = greatest.value - least.value,
+                 t = range != 0.0 ? (n.value - least.value) / range : 0.0;
+    const Composition composition = compositions_.at(n);
+    composition.add_beside_bows(averages_.rescaled(ratio), angles, sum);
+    for (const OrderPattern& bow : composition.bows())
+        for (const ShiftedDrops& drops : shifted_[std::size_t(bow.order())])
+            bow.at(angles, drops.at_least + t * (drops.at_greatest - drops.at_least))
+                .add(drops.fringes.rescaled(ratio), sum);
     return sum;
 }
 
@@ -196,7 +271,8 @@ DropSums LargeDrops::sums(std::size_t wavelength) const {
     const Wavelength lambda = wavelengths_[wavelength];
     const auto weights = fit_.weights(wavelength);
     DropSums sums;
-    sums.intensities = composed(lambda, angles_);
+    sums.intensities =
+        cloud_.falling ? composed_falling(lambda, angles_) : composed(lambda, angles_);
     sums.x_squared = mean_x_squared(cloud_, lambda);
     sums.efficiencies = mixed(corrections_, weights);
     for (std::size_t c = 0; c < corrected_.size(); ++c) {
@@ -214,7 +290,8 @@ DropSums LargeDrops::sums(std::size_t wavelength) const {
 /// @param smooth  whether sizes differ so much that the result is smooth in the wavelength.
 std::vector<DropSums> exactly(const Cloud& all, std::span<const Wavelength> wavelengths,
                               std::span<const Angle> angles, bool smooth) {
-    const Cloud cloud{all.optics, grouped(all.radii, radii_needed(all, wavelengths.front()), 0.0)};
+    const Cloud cloud{
+        all.optics, grouped(all.radii, radii_needed(all, wavelengths.front()), 0.0), {}};
     std::vector<DropSums> sums(wavelengths.size());
     if (!smooth || wavelengths.size() <= kExactNodes) {
         parallel_or_throw(wavelengths.size(), [&](std::size_t w) {
@@ -246,7 +323,7 @@ struct Division {
     bool exact_smooth = false;  ///< see exactly()
 };
 Division divide(const Cloud& cloud, Wavelength lambda, bool orders) {
-    const Cloud none{cloud.optics, {}};
+    const Cloud none{cloud.optics, {}, cloud.falling};
     Division division{none, none};
     double small = 0.0, all = 0.0;
     for (const WeightedRadius& drop : cloud.radii) {

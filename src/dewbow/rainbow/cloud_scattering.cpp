@@ -44,32 +44,39 @@ private:
     DropSums sums_;
 };
 
-/// Calls block(radii, drops) for some drops at a time.
-template <class Block>
-void for_blocks(const Cloud& cloud, Wavelength lambda, const Block& block) {
-    const std::span<const WeightedRadius> radii = cloud.radii;
-    std::vector<Drop> drops;
-    for (std::size_t first = 0; first < radii.size(); first += kDropsAtOnce) {
-        const auto group = radii.subspan(first, std::min(kDropsAtOnce, radii.size() - first));
-        drops.clear();
-        for (const WeightedRadius& each : group)
-            drops.push_back({cloud.optics.size_parameter(each.radius, lambda), {}});
-        block(group, drops);
+/// Drops as a model sees them, with their shares.
+struct SharedDrop {
+    Drop drop;
+    double share;
+};
+std::vector<SharedDrop> drops_of(const Cloud& cloud, const std::vector<ShapedDrops>& shaped,
+                                 Wavelength lambda, double t) {
+    std::vector<SharedDrop> drops;
+    for (const ShapedDrops& each : shaped) {
+        const WeightedRadius& class_of_drops = cloud.radii[each.radius];
+        SharedDrop shared{{cloud.optics.size_parameter(class_of_drops.radius, lambda), {}},
+                          class_of_drops.share * each.share};
+        for (int p = 0; p <= kHighestOrder; ++p)
+            shared.drop.shifts[std::size_t(p)] = each.shift(p, t);
+        drops.push_back(shared);
     }
+    return drops;
 }
 
-DropSums scatter_one(const ScatteringModel& model, const Cloud& cloud, Wavelength lambda,
-                     std::span<const Angle> angles) {
-    const ComplexIndex index = cloud.optics.complex_index(lambda);
+DropSums scatter_one(const ScatteringModel& model, ComplexIndex index,
+                     std::span<const SharedDrop> drops, std::span<const Angle> angles) {
     Averager average(angles.size());
-    std::vector<Intensities> S(std::min(kDropsAtOnce, cloud.radii.size()) * angles.size());
-    for_blocks(cloud, lambda, [&](auto radii, const std::vector<Drop>& drops) {
-        model.intensities(index, drops, angles, S);
-        for (std::size_t d = 0; d < drops.size(); ++d)
-            average.add(radii[d].share, drops[d].size_parameter,
-                        model.efficiencies(index, drops[d]),
+    std::vector<Intensities> S(std::min(kDropsAtOnce, drops.size()) * angles.size());
+    std::vector<Drop> some;
+    for (std::size_t first = 0; first < drops.size(); first += kDropsAtOnce) {
+        const auto group = drops.subspan(first, std::min(kDropsAtOnce, drops.size() - first));
+        some.clear();
+        for (const SharedDrop& each : group) some.push_back(each.drop);
+        model.intensities(index, some, angles, S);
+        for (std::size_t d = 0; d < group.size(); ++d)
+            average.add(group[d].share, some[d].size_parameter, model.efficiencies(index, some[d]),
                         std::span(S).subspan(d * angles.size(), angles.size()));
-    });
+    }
     return average.finish();
 }
 
@@ -110,10 +117,18 @@ void parallel_or_throw(std::size_t count, const std::function<void(std::size_t)>
 
 CloudScattering scatter(const ScatteringModel& model, const Cloud& cloud,
                         std::span<const Wavelength> wavelengths, std::span<const Angle> angles) {
+    const RelativeIndex greatest = cloud.optics.index(wavelengths.front()),
+                        least = cloud.optics.index(wavelengths.back());
+    const std::vector<ShapedDrops> shaped =
+        shape_drops(cloud.radii, cloud.falling, least, greatest);
     CloudScattering result;
     result.sums.resize(wavelengths.size());
     parallel_or_throw(wavelengths.size(), [&](std::size_t w) {
-        result.sums[w] = scatter_one(model, cloud, wavelengths[w], angles);
+        const ComplexIndex index = cloud.optics.complex_index(wavelengths[w]);
+        const double range = greatest.value - least.value,
+                     t = range != 0.0 ? (index.n - least.value) / range : 0.0;
+        result.sums[w] =
+            scatter_one(model, index, drops_of(cloud, shaped, wavelengths[w], t), angles);
     });
     result.report = std::string(model.name());
     return result;
@@ -121,23 +136,28 @@ CloudScattering scatter(const ScatteringModel& model, const Cloud& cloud,
 
 DropSums scatter_exactly(const Cloud& cloud, Wavelength lambda, std::span<const Angle> angles) {
     const ComplexIndex index = cloud.optics.complex_index(lambda);
+    const std::span<const WeightedRadius> radii = cloud.radii;
     Averager average(angles.size());
-    std::vector<Amplitudes> S(std::min(kDropsAtOnce, cloud.radii.size()) * angles.size());
+    std::vector<Amplitudes> S(std::min(kDropsAtOnce, radii.size()) * angles.size());
     std::vector<Intensities> intensities(angles.size());
     std::vector<PartialWaves> waves;
-    for_blocks(cloud, lambda, [&](auto radii, const std::vector<Drop>& drops) {
-        waves.clear();
-        for (const Drop& drop : drops) waves.push_back(mie_waves(index, drop.size_parameter));
+    std::vector<double> sizes;
+    for (std::size_t first = 0; first < radii.size(); first += kDropsAtOnce) {
+        const auto group = radii.subspan(first, std::min(kDropsAtOnce, radii.size() - first));
+        waves.clear(), sizes.clear();
+        for (const WeightedRadius& each : group) {
+            sizes.push_back(cloud.optics.size_parameter(each.radius, lambda));
+            waves.push_back(mie_waves(index, sizes.back()));
+        }
         angular_sum(waves, angles, S);
-        for (std::size_t d = 0; d < drops.size(); ++d) {
+        for (std::size_t d = 0; d < group.size(); ++d) {
             for (std::size_t a = 0; a < angles.size(); ++a) {
                 const Amplitudes& at = S[d * angles.size() + a];
                 intensities[a] = {std::norm(at.perpendicular), std::norm(at.parallel)};
             }
-            const double x = drops[d].size_parameter;
-            average.add(radii[d].share, x, efficiencies_of(waves[d], x), intensities);
+            average.add(group[d].share, sizes[d], efficiencies_of(waves[d], sizes[d]), intensities);
         }
-    });
+    }
     return average.finish();
 }
 

@@ -5,12 +5,14 @@
 // before the sun's disc.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "dewbow/base/quantity.h"
 #include "dewbow/optics/dispersion.h"
+#include "dewbow/rainbow/cloud_shapes.h"
 #include "dewbow/rainbow/drop_sizes.h"
 #include "dewbow/rainbow/models.h"
 #include "dewbow/rainbow/scattering.h"
@@ -34,7 +36,8 @@ struct DropOptics {
 /// Drops in classes of one radius each.
 struct Cloud {
     DropOptics optics;
-    std::vector<WeightedRadius> radii;  ///< ascending
+    std::vector<WeightedRadius> radii;    ///< ascending
+    std::optional<FallingShape> falling;  ///< nothing: spheres
 };
 
 /// Sums over drops, each times its share.

@@ -10,37 +10,16 @@
 // 180° without a seam. Left out are edge waves, which add to the orders a part of about x^{−2/3},
 // the interference of diffracted with reflected light within some degrees of 0°, and the glory.
 
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "dewbow/rainbow/diffraction_average.h"
 #include "dewbow/rainbow/fringe_average.h"
 #include "dewbow/rainbow/models.h"
 #include "dewbow/rainbow/order_pattern.h"
 #include "dewbow/rainbow/scattering.h"
 
 namespace dewbow {
-
-/// Light diffracted around drops, and what it makes with light that is reflected at grazing
-/// incidence beside it: their difference of phase is that at the edge of the drop, and averages
-/// over sizes do not wash it out. By s = sin θ; the table serves a whole spectrum, as that of
-/// FringeAverage does.
-class DiffractionAverage {
-public:
-    DiffractionAverage(std::span<const double> sizes, std::span<const double> shares);
-    struct Value {
-        double diffracted;  ///< Σ w x⁴ (J_1(u) / u)², u = x s
-        double cross;       ///< Σ w x³ J_1(u) sin(u) / u, times −r_j
-    };
-    Value at(double s) const;
-    DiffractionAverage rescaled(double ratio) const;
-
-private:
-    Value far(double s) const;  ///< after fringes are washed out, for scale 1
-    std::shared_ptr<const std::vector<Value>> nodes_;
-    double step_ = 0.0, mean_size_ = 0.0, mean_power_ = 0.0;  ///< Σ w x, Σ w x^{3/2}
-    double scale_ = 1.0;
-};
 
 /// Drops, as the composition needs them.
 struct DropAverages {
@@ -59,9 +38,14 @@ public:
     Composition(RelativeIndex n, const Orders& orders);
 
     /// Adds Σ share |S_j|² over drops at `theta` to `out`; each order's light turned as its shift
-    /// says (angle_without_shift).
+    /// says.
     void add(const DropAverages& drops, const BowShifts& shifts, std::span<const Angle> theta,
              std::span<Intensities> out) const;
+
+    /// The parts of that: diffraction and orders 0 and 1, which shapes leave alone, and the bows.
+    void add_beside_bows(const DropAverages& drops, std::span<const Angle> theta,
+                         std::span<Intensities> out) const;
+    std::span<const OrderPattern> bows() const { return bows_; }
 
 private:
     friend class CompositionFamily;

@@ -46,10 +46,10 @@ double relative_width(const DropSizes& sizes);
 
 /// Radii that can be asked for: from what is smaller than any wavelength to what no raindrop is.
 inline constexpr Length kLeastDropRadius = 1e-9 * unit::m, kMostDropRadius = 1e-2 * unit::m;
-/// Radius of the largest raindrops: collisions and the air's drag break up what is larger than 6 mm
-/// across. [NASA Global Precipitation Measurement; up to 8.8 mm seen: Hobbs & Rangno, GRL 31
-/// (2004)]
-inline constexpr Length kLargestRaindrop = 3.0 * unit::mm;
+/// Radius of the largest raindrops: collisions and the air's drag break up nearly all that are
+/// larger than 5 mm across (8.8 mm were seen once).          [Hobbs & Rangno, Geophys. Res. Lett.
+/// 31 (2004)]
+inline constexpr Length kLargestRaindrop = 2.5 * unit::mm;
 
 // All of the following throw InputError: a radius outside the range above, a width that is not
 // positive or too large. Widths are standard deviations over the mean, by number.
@@ -68,11 +68,11 @@ DropSizesPtr effective_gamma_drop_sizes(Length effective_radius, double effectiv
 ///                                                                        [Deirmendjian 1969, p.
 ///                                                                        78]
 DropSizesPtr deirmendjian_drop_sizes(double alpha, double gamma, Length mode);
-/// Raindrops of diameter D: n ∝ e^{−ΛD} up to D = 6 mm, Λ = 4.1 R^{−0.21} / mm with R in mm/h.
+/// Raindrops of diameter D: n ∝ e^{−ΛD} up to D = 5 mm, Λ = 4.1 R^{−0.21} / mm with R in mm/h.
 ///                                                  [Marshall & Palmer, J. Meteor. 5, 165 (1948)]
 /// @param mm_per_hour  rain rate, 0.01 to 300.
 DropSizesPtr marshall_palmer_drop_sizes(double mm_per_hour);
-/// Raindrops of diameter D: n ∝ D^μ e^{−ΛD} up to D = 6 mm. With N0 = 6e4 e^{3.2 μ} m⁻³ cm^{−1−μ}
+/// Raindrops of diameter D: n ∝ D^μ e^{−ΛD} up to D = 5 mm. With N0 = 6e4 e^{3.2 μ} m⁻³ cm^{−1−μ}
 /// and drops that fall at 17.67 (D/cm)^{0.67} m/s, the rain rate is R = 33.31 N0 Γ(4.67+μ) /
 /// Λ^{4.67+μ} mm/h (Λ per cm), which gives Λ.           [Ulbrich, J. Climate Appl. Meteor. 22, 1764
 /// (1983)] Published values of N0 at μ = 0 go from 6e4 to 8e4, which makes 6 % in Λ.

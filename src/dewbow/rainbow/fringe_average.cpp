@@ -27,7 +27,8 @@ struct Power {
 
 }  // namespace
 
-FringeAverage::FringeAverage(std::span<const double> sizes, std::span<const double> shares) {
+FringeAverage::FringeAverage(std::span<const double> sizes, std::span<const double> shares,
+                             double most_fringes) {
     std::vector<Power> drops(sizes.size());
     double least = sizes[0], greatest = sizes[0], cube = 0.0;
     for (std::size_t d = 0; d < sizes.size(); ++d) {
@@ -58,11 +59,14 @@ FringeAverage::FringeAverage(std::span<const double> sizes, std::span<const doub
         }
         return node;
     };
+    // m = (2/3π) ζ^{3/2} fringes lie between the bow and ζ = z x^{2/3}.
+    const double last =
+        std::min(kGreatest, std::pow(1.5 * std::numbers::pi * most_fringes / greatest, 2.0 / 3.0));
     auto nodes = std::make_shared<std::vector<Node>>();
     int calm = 0;
     for (double k = 0.0; calm < kCalm; ++k) {
         const double z = first_ + k * step_;
-        if (z > kGreatest) break;
+        if (z > last) break;
         nodes->push_back(node_at(z));
         const double mean = z > 0.0 ? mean_square_ / (2.0 * std::numbers::pi * std::sqrt(z)) : 0.0;
         calm = std::abs(nodes->back().G - mean) <= kWashedOut * mean ? calm + 1 : 0;

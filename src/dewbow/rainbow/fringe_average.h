@@ -22,7 +22,9 @@ public:
     /// Tabulated from where the dark side ends to where sizes have washed the fringes out, with
     /// cubics between. Error: 1e-3 of the local mean over fringes.   Cost: 5 µs to 1 ms + some
     /// thousand Airy functions a drop.
-    FringeAverage(std::span<const double> sizes, std::span<const double> shares);
+    /// @param most_fringes  from the bow, beyond which the mean over fringes is enough anyway.
+    FringeAverage(std::span<const double> sizes, std::span<const double> shares,
+                  double most_fringes = 1e9);
 
     struct Value {
         double G, H;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "dewbow/rainbow/bow_passages.h"
+#include "dewbow/rainbow/geometric_flux.h"
 #include "dewbow/rainbow/ray_pair_series.h"
 
 namespace dewbow {
@@ -99,58 +100,101 @@ OrderPattern::Node OrderPattern::of_ray(double offset, const Node& before) const
     constexpr double kLeastDistance = 1e-4;
     const double to_axial = std::max(std::abs(bow_.most - bow_.least - offset), kLeastDistance);
     const double turn = std::max(bow_.most - to_axial, bow_.grazing());
-    const LoneRay ray = lone_ray(bow_, turn - bow_.least);
+    const SingleRay ray = single_ray(bow_, turn, 1.0);
     // The other one grazes the drop, and goes on along its surface.
     const double path = 2.0 * bow_.p * std::sqrt(bow_.n * bow_.n - 1.0) + turn - bow_.grazing();
     const double z = std::cbrt(std::pow(0.75 * (path - ray.path), 2.0));
-    const double scale = std::sqrt((bow_.most - turn) / reach(to_axial));
-    const double root = scale * std::pow(z, 0.25), per_root = scale / std::pow(z, 0.25);
+    const double root = std::pow(z, 0.25) / std::sqrt(reach(to_axial));
+    const double per_root = 1.0 / (std::pow(z, 0.25) * std::sqrt(reach(to_axial)));
     return {z, std::copysign(root * ray.perpendicular, before.P_perpendicular),
             std::copysign(per_root * ray.perpendicular, before.Q_perpendicular),
             std::copysign(root * ray.parallel, before.P_parallel),
             std::copysign(per_root * ray.parallel, before.Q_parallel)};
 }
 
-void OrderPattern::add(const FringeAverage& drops, std::span<const Angle> theta,
-                       std::span<Intensities> out) const {
-    const double most = bow_.most;
-    for (int half_turns = 0; (half_turns - 1) * kPi < most; half_turns += 2)
-        for (const int side : {1, -1})
-            for (std::size_t a = 0; a < theta.size(); ++a) {
-                const double turn = half_turns * kPi + side * theta[a].to(rad);
-                const double position = (turn - bow_.least - first_) / step_;
-                if (position < 1.0 || turn > most) continue;
-                const auto k = std::min(std::size_t(position), nodes_.size() - 3);
-                const double t = position - double(k);
-                // Lagrange's cubic through four nodes.
-                const double w0 = -t * (t - 1.0) * (t - 2.0) / 6.0,
-                             w1 = (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-                             w2 = -(t + 1.0) * t * (t - 2.0) / 2.0,
-                             w3 = (t + 1.0) * t * (t - 1.0) / 6.0;
-                const Node *n0 = &nodes_[k - 1], *n1 = n0 + 1, *n2 = n0 + 2, *n3 = n0 + 3;
-                const auto mix = [&](double Node::*part) {
-                    return w0 * n0->*part + w1 * n1->*part + w2 * n2->*part + w3 * n3->*part;
-                };
-                const FringeAverage::Value v = drops.at(mix(&Node::z));
-                // Rays that cross the axis with b > 0 are a caustic on it: there J_0²(x b θ) takes
-                // the place of 2 / (π x b sin θ); its value on the axis, and its mean beyond.
-                const double sine = std::sin(theta[a].to(rad));
-                const int crossing = int(std::lround(turn / kPi));
-                const double to_axial = most - turn;
-                double geometry;
-                if (crossing == bow_.p - 1) {
-                    geometry = to_axial < 1e-6 ? 1.0 : reach(to_axial) / std::max(sine, 1e-300);
-                } else {
-                    constexpr double kTypicalImpact = 0.8;
-                    const double blur = 2.0 / (kPi * kTypicalImpact * drops.effective_size());
-                    geometry = reach(to_axial) / std::sqrt(sine * sine + blur * blur);
-                }
-                const double weight = kPi * geometry;
-                const double Ps = mix(&Node::P_perpendicular), Qs = mix(&Node::Q_perpendicular);
-                const double Pp = mix(&Node::P_parallel), Qp = mix(&Node::Q_parallel);
-                out[a].perpendicular += weight * (Ps * Ps * v.G + Qs * Qs * v.H);
-                out[a].parallel += weight * (Pp * Pp * v.G + Qp * Qp * v.H);
-            }
+OrderPattern::Node OrderPattern::interpolated(double position) const {
+    const auto k = std::min(std::size_t(position), nodes_.size() - 3);
+    const double t = position - double(k);
+    // Lagrange's cubic through four nodes.
+    const double w0 = -t * (t - 1.0) * (t - 2.0) / 6.0,
+                 w1 = (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+                 w2 = -(t + 1.0) * t * (t - 2.0) / 2.0, w3 = (t + 1.0) * t * (t - 1.0) / 6.0;
+    const Node &n0 = nodes_[k - 1], &n1 = nodes_[k], &n2 = nodes_[k + 1], &n3 = nodes_[k + 2];
+    const auto mix = [&](double Node::*part) {
+        return w0 * n0.*part + w1 * n1.*part + w2 * n2.*part + w3 * n3.*part;
+    };
+    return {mix(&Node::z), mix(&Node::P_perpendicular), mix(&Node::Q_perpendicular),
+            mix(&Node::P_parallel), mix(&Node::Q_parallel)};
+}
+
+void OrderPattern::add_passage(double turn, double sine, std::uint32_t angle,
+                               BowLight& light) const {
+    /// Nearer than this to 0° and 180° light that meets there is no longer summed as rays.
+    constexpr double kBesideAxis = 0.03;
+    const Node at = interpolated((turn - bow_.least - first_) / step_);
+    const bool along_axis = std::lround(turn / kPi) == bow_.p - 1;
+    const bool beside_axis = !along_axis && sine < kBesideAxis;
+    const double to_axial = bow_.most - turn;
+    double geometry = reach(to_axial);
+    if (along_axis && sine < 1e-6)
+        geometry = 1.0;  // reach over sine, on the axis
+    else if (!beside_axis)
+        geometry /= sine;
+    const Intensities P2{geometry * at.P_perpendicular * at.P_perpendicular,
+                         geometry * at.P_parallel * at.P_parallel};
+    const Intensities Q2{geometry * at.Q_perpendicular * at.Q_perpendicular,
+                         geometry * at.Q_parallel * at.Q_parallel};
+    if (turn > bow_.grazing() && !beside_axis) {  // A² = ½ (P² / √z + Q² √z)
+        const double root = std::sqrt(at.z), half = 0.5 / root, of_Q = 0.5 * root;
+        light.singles_.push_back({angle,
+                                  {half * P2.perpendicular + of_Q * Q2.perpendicular,
+                                   half * P2.parallel + of_Q * Q2.parallel}});
+        return;
+    }
+    (beside_axis ? light.beside_axis_ : light.pairs_)
+        .push_back({angle,
+                    at.z,
+                    {kPi * P2.perpendicular, kPi * P2.parallel},
+                    {kPi * Q2.perpendicular, kPi * Q2.parallel},
+                    sine});
+}
+
+BowLight OrderPattern::at(std::span<const Angle> theta, Angle shift) const {
+    BowLight light;
+    for (std::size_t a = 0; a < theta.size(); ++a) {
+        const Angle unshifted = shift == Angle{} ? theta[a] : angle_without_shift(theta[a], shift);
+        const double sine = sin(unshifted);
+        for_each_passage(
+            bow_, bow_.least + first_ + step_, unshifted.to(rad),
+            [&](const Passage& way) { add_passage(way.deviation, sine, std::uint32_t(a), light); });
+    }
+    return light;
+}
+
+void BowLight::add(const FringeAverage& drops, std::span<Intensities> out) const {
+    for (const Passage& from : pairs_) {
+        const FringeAverage::Value v = drops.at(from.z);
+        out[from.angle].perpendicular +=
+            from.of_G.perpendicular * v.G + from.of_H.perpendicular * v.H;
+        out[from.angle].parallel += from.of_G.parallel * v.G + from.of_H.parallel * v.H;
+    }
+    const double square = drops.mean_square();
+    for (const Single& from : singles_) {
+        out[from.angle].perpendicular += square * from.per_square.perpendicular;
+        out[from.angle].parallel += square * from.per_square.parallel;
+    }
+    // Rays that cross the axis with b > 0 are a caustic on it: there J_0²(x b θ) takes the place of
+    // 2 / (π x b sin θ); with its value on the axis, and its mean beyond.
+    constexpr double kTypicalImpact = 0.8;
+    const double blur = 2.0 / (kPi * kTypicalImpact * drops.effective_size());
+    for (const Passage& from : beside_axis_) {
+        const FringeAverage::Value v = drops.at(from.z);
+        const double per_sine = 1.0 / std::hypot(from.sine, blur);
+        out[from.angle].perpendicular +=
+            per_sine * (from.of_G.perpendicular * v.G + from.of_H.perpendicular * v.H);
+        out[from.angle].parallel +=
+            per_sine * (from.of_G.parallel * v.G + from.of_H.parallel * v.H);
+    }
 }
 
 }  // namespace dewbow

@@ -102,6 +102,7 @@ std::vector<Angle> angles_for_disc(const TableRequest& request) {
     grid.x = optics.size_parameter(effective_radius(*request.sizes), shortest);
     const Length deviation = relative_width(*request.sizes) * mean_radius(*request.sizes);
     grid.fringes = optics.size_parameter(deviation, shortest) < kWashedOutDeviation;
+    if (request.falling) grid.longest = 0.1 * deg;  // bows of large drops are anywhere
     grid.from = std::max(request.angles.front() - request.disc.radius, 0.0 * deg);
     grid.to = std::min(request.angles.back() + request.disc.radius, 180.0 * deg);
     return merged_angles(request.angles, adaptive_angles(grid));
@@ -126,7 +127,7 @@ std::vector<Intensities> phase_of(const CloudScattering& scattering, std::size_t
 
 ScatteringTable make_scattering_table(const TableRequest& request) {
     check(request);
-    const Cloud cloud{request.optics, sample_radii(request)};
+    const Cloud cloud{request.optics, sample_radii(request), request.falling};
     const std::vector<Angle> angles = angles_for_disc(request);
     const CloudScattering scattering = scatter(request, cloud, angles);
 

@@ -5,6 +5,7 @@
 // disc. The table that renderers read.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct TableRequest {
     std::vector<Wavelength> wavelengths;  ///< in vacuum, ascending
     std::vector<Angle> angles;            ///< scattering angles, ascending
     SunDisc disc;
+    std::optional<FallingShape> falling;  ///< shapes of falling drops; nothing: spheres
 };
 
 /// Phase functions by angle and wavelength, with the cross sections that belong to them.

@@ -107,6 +107,13 @@ TEST(DirectTransmittance, ReddensALowSun) {
     EXPECT_GT(ratio(2.0), 40.0);
     EXPECT_GT(ratio(0.0), 1000.0);
     EXPECT_LT(ratio(90.0), 1.3);
+    // Nothing but ozone, which light of a low sun crosses less obliquely than the air below.
+    const ClearSky ozone{1013.25, 0.0, 0.0, 300.0};
+    ClearSky none = ozone;
+    none.ozone_dobson = 0.0;
+    EXPECT_NEAR((*make_direct_transmittance({}, ozone))(602.0 * nm) /
+                    (*make_direct_transmittance({}, none))(602.0 * nm),
+                std::exp(-12.1 * 0.0398), 2e-3);
     // Nothing but air, from a mountain of half the pressure.
     const ClearSky thin{506.625, 0.0, 0.0, 0.0};
     EXPECT_NEAR((*make_direct_transmittance(90.0 * deg, thin))(500.0 * nm),

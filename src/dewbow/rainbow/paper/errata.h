@@ -16,7 +16,7 @@ struct ErratumRow {
 
 struct ErratumCurve {
     std::string label;
-    std::vector<double> x, y;
+    std::vector<double> x, y;  ///< y not finite: a gap
     bool as_published = false;
 };
 
@@ -27,6 +27,7 @@ struct Erratum {
     std::string right;
     std::vector<ErratumRow> rows;
     std::string x_label, y_label;
+    bool logarithmic = false;  ///< y is to be shown so
     std::vector<ErratumCurve> curves;
 };
 

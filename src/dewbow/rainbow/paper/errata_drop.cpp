@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dewbow/rainbow/drop_ray.h"
 #include "dewbow/rainbow/paper/errata_parts.h"
@@ -47,16 +48,15 @@ double at(const std::vector<double>& values, double r_deg) {
     return values[std::size_t(std::lround(r_deg / kBucket_deg)) - 1];
 }
 
-/// log10 of the positive values between two angles.
-ErratumCurve log_curve(const char* label, const std::vector<double>& values, double from_deg,
-                       double to_deg, bool as_published) {
+/// The values between two angles, with gaps where they are 0.
+ErratumCurve curve_of(const char* label, const std::vector<double>& values, double from_deg,
+                      double to_deg, bool as_published) {
     ErratumCurve curve{label, {}, {}, as_published};
     for (std::size_t k = 0; k < values.size(); ++k) {
         const double r = (double(k) + 0.5) * kBucket_deg;
-        constexpr double kFloor = 1e-5;
         if (r < from_deg || r > to_deg) continue;
         curve.x.push_back(r);
-        curve.y.push_back(std::log10(std::max(values[k], kFloor)));
+        curve.y.push_back(values[k] > 0.0 ? values[k] : std::numeric_limits<double>::quiet_NaN());
     }
     return curve;
 }
@@ -76,6 +76,11 @@ Erratum geometry() {
     const double primary = descartes_ray(red, 2).radius().to(unit::deg);
     const double secondary = descartes_ray(red, 3).radius().to(unit::deg);
     const double sun = 2.0 * kSunRadius.to(unit::deg);
+    const RelativeIndex violet = paper_index(paper_method_corrected(), 400.0 * unit::nm);
+    const auto width = [&](int p) {
+        return abs(descartes_ray(red, p).radius() - descartes_ray(violet, p).radius())
+            .to(unit::deg);
+    };
     const auto by_rays = [](int p) { return sky(p, RayDensity::even_over_disc, true); };
     const std::vector<double> two = by_rays(2), bows = sum(two, by_rays(3));
     const std::vector<double> all = sum(sum(bows, by_rays(0)), sum(by_rays(6), by_rays(7)));
@@ -93,15 +98,17 @@ Erratum geometry() {
         "and of orders 6 and 7; 50.9° at the sodium line; the deflection is least there";
     e.rows = {{"width of Alexander's band, 700 nm, point sun", "deg", 10.0, secondary - primary},
               {"the same between discs of the sun", "deg", 10.0, secondary - primary - sun},
+              {"width of the primary, 400-700 nm, point sun", "deg", 2.0, width(2)},
+              {"width of the secondary, 400-700 nm, point sun", "deg", 2.0, width(3)},
               {"light in the band over the primary's peak, rays", "", 0.0, band / count / peak},
               {"radius of the secondary, n = 1.333", "deg", 52.0,
                descartes_ray(kWater, 3).radius().to(unit::deg)},
               {"d²D/db² at the Descartes ray (0 at an inflection)", "rad", 0.0,
                2.0 * descartes_ray(kWater, 2).airy_constant}};
     e.x_label = "angle from the antisolar point (deg)";
-    e.y_label = "log10 of brightness over the primary's peak";
-    e.curves = {log_curve("orders 2 and 3, as published", over(bows, peak), 36.0, 58.0, true),
-                log_curve("with orders 0, 6 and 7", over(all, peak), 36.0, 58.0, false)};
+    e.y_label = "brightness over the primary's peak", e.logarithmic = true;
+    e.curves = {curve_of("as published", over(bows, peak), 36.0, 58.0, true),
+                curve_of("orders 0, 6, 7 too", over(all, peak), 36.0, 58.0, false)};
     return e;
 }
 
@@ -136,9 +143,9 @@ Erratum ray_weights() {
                       all_flux(RayDensity::even_in_impact_parameter, 2),
                       all_flux(RayDensity::even_over_disc, 2)});
     e.x_label = "angle from the antisolar point (deg)";
-    e.y_label = "log10 of brightness over the primary's peak";
-    e.curves = {log_curve("as published", sum(p2, p3), 0.0, 120.0, true),
-                log_curve("right", sum(r2, r3), 0.0, 120.0, false)};
+    e.y_label = "brightness over the primary's peak", e.logarithmic = true;
+    e.curves = {curve_of("as published", sum(p2, p3), 0.0, 120.0, true),
+                curve_of("right", sum(r2, r3), 0.0, 120.0, false)};
     return e;
 }
 

@@ -62,19 +62,19 @@ Erratum ring_index() {
         {"rings drawn, angle and width in radians", "",
          double(rings_drawn(outer.to(unit::rad), (outer - inner).to(unit::rad), kPaperBuckets)),
          double(right)}};
-    ErratumCurve cosine{"by cosine, 13 / (cos 41° − cos 43°)", {}, {}, true};
-    ErratumCurve angle{"by angle", {}, {}, false};
+    ErratumCurve by_cosine{"by cosine", {}, {}, true}, by_angle{"by angle", {}, {}, false};
     double most = 0.0;
     for (double r = 41.0; r <= 43.0; r += 0.01) {
-        const double by_cosine = published_ring_index(cos(r * unit::deg), cos(outer), as_cosine);
-        const double by_angle = dewbow::ring_index(r * unit::deg, outer, inner);
-        most = std::max(most, std::abs(by_cosine - by_angle));
-        cosine.x.push_back(r), cosine.y.push_back(by_cosine);
-        angle.x.push_back(r), angle.y.push_back(by_angle);
+        const double excess = published_ring_index(cos(r * unit::deg), cos(outer), as_cosine) -
+                              dewbow::ring_index(r * unit::deg, outer, inner);
+        most = std::max(most, std::abs(excess));
+        by_cosine.x.push_back(r), by_cosine.y.push_back(excess);
+        by_angle.x.push_back(r), by_angle.y.push_back(0.0);
     }
     e.rows.push_back({"greatest difference of indices by cosine and by angle", "rings", most, 0.0});
-    e.x_label = "angle from the antisolar point (deg)", e.y_label = "index";
-    e.curves = {cosine, angle};
+    e.x_label = "angle from the antisolar point (deg)",
+    e.y_label = "index less that by angle (rings)";
+    e.curves = {by_cosine, by_angle};
     return e;
 }
 
@@ -109,8 +109,7 @@ Erratum fog_and_order() {
               {"brightest green of the bow, over that of a point sun", "", published, greatest}};
     e.x_label = "angle from the antisolar point (deg)";
     e.y_label = "green replaced at h d = 1";
-    e.curves = {replaced("inverted, then smeared", smeared, true),
-                replaced("smeared, then inverted", t, false)};
+    e.curves = {replaced("inverted first", smeared, true), replaced("smeared first", t, false)};
     return e;
 }
 

@@ -77,8 +77,8 @@ Erratum kernel_of_the_sun() {
     e.rows.push_back({"primary's peak, one wavelength, over the right one", "",
                       peak(published) / peak(right), 1.0});
     e.x_label = "distance from the middle of the sun (deg)", e.y_label = "weight (per deg)";
-    e.curves = {steps("five entries, as published", published, kBucket_deg, true),
-                steps("disc, seven entries", right, kBucket_deg, false),
+    e.curves = {steps("as published", published, kBucket_deg, true),
+                steps("seven entries", right, kBucket_deg, false),
                 steps("limb darkened", projection_kernel(darkened, kFine_deg * unit::deg),
                       kFine_deg, false)};
     return e;

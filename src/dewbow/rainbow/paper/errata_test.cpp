@@ -62,6 +62,10 @@ TEST(PaperErrata, E14Geometry) {
     EXPECT_NEAR(row("E14", "width of Alexander's band, 700 nm, point sun").right, 7.65, 0.005);
     EXPECT_NEAR(row("E14", "the same between discs of the sun").right, 7.1, 0.05);
     EXPECT_NEAR(row("E14", "radius of the secondary, n = 1.333").right, 50.891, kThreeDecimals);
+    EXPECT_NEAR(row("E14", "width of the primary, 400-700 nm, point sun").right, 1.874,
+                2.0 * kThreeDecimals);
+    EXPECT_NEAR(row("E14", "width of the secondary, 400-700 nm, point sun").right, 3.382,
+                2.0 * kThreeDecimals);
     // h = 4.899: the deflection has a minimum, no inflection.
     EXPECT_NEAR(row("E14", "d²D/db² at the Descartes ray (0 at an inflection)").right, 2.0 * 4.899,
                 2.0 * kThreeDecimals);
@@ -156,7 +160,9 @@ TEST(PaperErrata, HaveCurvesAndWordsToShow) {
             published |= curve.as_published;
             ASSERT_EQ(curve.x.size(), curve.y.size()) << erratum.name;
             EXPECT_TRUE(std::is_sorted(curve.x.begin(), curve.x.end())) << erratum.name;
-            for (double y : curve.y) EXPECT_TRUE(std::isfinite(y)) << erratum.name;
+            const auto gaps = std::count_if(curve.y.begin(), curve.y.end(),
+                                            [](double y) { return !std::isfinite(y); });
+            EXPECT_LT(double(gaps), 0.5 * double(curve.y.size())) << erratum.name;
         }
         EXPECT_TRUE(published) << erratum.name;
     }

@@ -29,7 +29,7 @@ double water_in_air(double nm) {
 double excess(double nm) { return cauchy(nm) - water_in_air(nm); }
 
 ErratumCurve excess_curve(double from_nm, double to_nm) {
-    ErratumCurve curve{"as published, less IAPWS at 20 °C in air", {}, {}, true};
+    ErratumCurve curve{"as published", {}, {}, true};
     for (double nm = from_nm; nm <= to_nm; nm += 1.0) {
         curve.x.push_back(nm);
         curve.y.push_back(1e4 * excess(nm));
@@ -69,7 +69,7 @@ Erratum cauchy_fit() {
               {"rms error over 405-670 nm", "1e-4", 1e4 * claimed, 1e4 * std::sqrt(square / count)},
               {"0.0001 over the index", "%", 0.8, 100.0 * claimed / cauchy(kSodium.to(unit::nm))},
               {"0.0001 over the index's variation", "%", 0.8, 100.0 * claimed / span}};
-    e.x_label = "wavelength (nm)", e.y_label = "error of the index (1e-4)";
+    e.x_label = "wavelength (nm)", e.y_label = "index less IAPWS at 20 °C in air (1e-4)";
     e.curves = {excess_curve(kFrom, kTo), level("+0.0001", kFrom, kTo, 1.0),
                 level("−0.0001", kFrom, kTo, -1.0)};
     return e;
@@ -91,7 +91,7 @@ Erratum air_counted_twice() {
         e.rows.push_back({"the same with IAPWS at 20 °C in air", "deg", was,
                           bow_radius_deg(measured, kSodium, p)});
         e.rows.push_back({"shift of the " + bow, "deg", was - is, 0.0});
-        ErratumCurve curve{bow + ", as published", {}, {}, true};
+        ErratumCurve curve{bow, {}, {}, true};
         for (double nm = 380.0; nm <= 800.0; nm += 5.0) {
             curve.x.push_back(nm);
             curve.y.push_back(bow_radius_deg(published, nm * unit::nm, p) -
@@ -117,7 +117,7 @@ Erratum beyond_the_fit() {
                bow_radius_deg(with(PaperWater::iapws, false), nm * unit::nm, 3);
     };
     e.rows.push_back({"shift of the secondary by it at 767 nm", "deg", shift(767.0), 0.0});
-    e.x_label = "wavelength (nm)", e.y_label = "error of the index (1e-4)";
+    e.x_label = "wavelength (nm)", e.y_label = "index less IAPWS at 20 °C in air (1e-4)";
     e.curves = {excess_curve(380.0, 800.0), level("+0.0001", 380.0, 800.0, 1.0),
                 level("−0.0001", 380.0, 800.0, -1.0)};
     return e;
