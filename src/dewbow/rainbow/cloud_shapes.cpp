@@ -9,7 +9,7 @@ std::vector<ShapedDrops> shape_drops(std::span<const WeightedRadius> radii,
                                      const std::optional<FallingShape>& falling,
                                      RelativeIndex least, RelativeIndex greatest) {
     std::vector<ShapedDrops> drops;
-    std::vector<DropShape> shapes;
+    std::vector<Spheroid> shapes;
     for (std::size_t r = 0; r < radii.size(); ++r) {
         if (!falling || raindrop_axis_ratio(radii[r].radius) == 1.0) {
             drops.push_back({.radius = r});
