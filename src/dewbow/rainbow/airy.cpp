@@ -47,11 +47,12 @@ public:
     void add_amplitudes(std::span<const Drop> drops, Angle theta,
                         std::span<Amplitudes> sums) const override {
         for (std::size_t k = 0; k < drops.size(); ++k) {
-            const Angle of_sphere =
-                angle_without_shift(theta, drops[k].shifts[std::size_t(bow_.p)]);
-            const Amplitudes s = amplitudes(drops[k].size_parameter, of_sphere);
-            sums[k].perpendicular += s.perpendicular;
-            sums[k].parallel += s.parallel;
+            const Angle shift = drops[k].shifts[std::size_t(bow_.p)];
+            const Amplitudes s =
+                amplitudes(drops[k].size_parameter, angle_without_shift(theta, shift));
+            const double scale = std::sqrt(brightness_of_shift(theta, shift));
+            sums[k].perpendicular += scale * s.perpendicular;
+            sums[k].parallel += scale * s.parallel;
         }
     }
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "dewbow/base/error.h"
+#include "dewbow/rainbow/geometric_flux.h"
 #include "dewbow/rainbow/ray_pair.h"
 
 namespace dewbow {
@@ -68,25 +68,14 @@ void BowModel::intensities(ComplexIndex index, std::span<const Drop> drops,
 }
 
 Efficiencies BowModel::efficiencies(ComplexIndex index, const Drop& drop) const {
-    // Fringes are no closer than 2.4 / x, so each has five samples at least.
-    const double x = drop.size_parameter;
-    const auto bows = patterns(index, {&drop, 1});
-    const int samples = 4000 + static_cast<int>(2.0 * x);
-    const double step = std::numbers::pi / samples;
-    double sum = 0.0, forward = 0.0;
-    for (int i = 0; i < samples; ++i) {
-        const double theta = (i + 0.5) * step;
-        for (const auto& pattern : bows) {
-            Amplitudes s{};
-            pattern->add_amplitudes({&drop, 1}, theta * unit::rad, {&s, 1});
-            const double light = squared(s).unpolarised() * std::sin(theta);
-            if (std::isnan(light)) continue;
-            sum += light, forward += light * std::cos(theta);
-        }
+    patterns(index, {&drop, 1});  // refuses what it cannot treat
+    double scattering = 0.0, forward = 0.0;
+    for (int p : orders_) {
+        const OrderFlux order = order_flux({index.n}, p);
+        scattering += order.flux.unpolarised();
+        forward += order.flux_times_cosine.unpolarised();
     }
-    // Q = (2 / x²) ∫ (|S_1|² + |S_2|²) / 2 sin θ dθ · 1, with dσ/dΩ = |S|² / k².
-    const double scattering = 2.0 * sum * step / (x * x);
-    return {scattering, scattering, forward / sum};
+    return {scattering, scattering, forward / scattering};
 }
 
 }  // namespace dewbow

@@ -23,13 +23,14 @@ class BowPattern {
 public:
     virtual ~BowPattern() = default;
     /// Adds S_1 and S_2 of each drop to sums[drop]. NaN where the pattern does not hold. The light
-    /// of a drop that is no sphere is turned by angle_without_shift.
+    /// of a drop that is no sphere is turned by angle_without_shift, without losing any.
     virtual void add_amplitudes(std::span<const Drop> drops, Angle theta,
                                 std::span<Amplitudes> sums) const = 0;
 };
 
-/// The coherent sum of bows. Its efficiencies are the energy of the orders asked for, each for
-/// itself and where it holds: with others left out, extinction and scattering are the same number.
+/// The coherent sum of bows. Its efficiencies are those of the rays of its orders (order_flux),
+/// which waves spread over other angles but do not change; with other orders left out, extinction
+/// and scattering are the same number.
 class BowModel : public AmplitudeModel {
 public:
     /// Orders as asked for; none: `all`. Throws InputError for one that is not among 2 to 7.

@@ -26,16 +26,11 @@ void for_each_passage(const BowGeometry& bow, double darkest, double theta, cons
         }
 }
 
-/// The ray of a deviation between grazing() and `most`: of the two, the one that is left.
-struct SingleRay {
-    double b;                        ///< impact parameter
-    double path;                     ///< 2 (p n cos r - cos i), in radii
-    double perpendicular, parallel;  ///< ε √(b / (sin θ |dD/db|))
-};
-/// @param sine  sin θ, or what stands for it beside the axis; of no weight to an axial ray.
-SingleRay single_ray(const BowGeometry& bow, double deviation, double sine);
+/// What stands for 1 / sin θ in |S|² of ray_pair() and lone_pair(): that for light of two rays, and
+/// beyond the grazing ray (most - D) / sin θ, which is 1 on the axis that the light comes along.
+double focus(const BowGeometry& bow, double deviation, double theta);
 
-/// Whether a passage beside the axis is there because the light came along it, through the centre.
+/// Whether light of this deviation came along the axis that is the nearer one to it.
 bool is_central(const BowGeometry& bow, double deviation);
 
 }  // namespace dewbow

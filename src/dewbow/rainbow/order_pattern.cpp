@@ -100,12 +100,12 @@ OrderPattern::Node OrderPattern::of_ray(double offset, const Node& before) const
     constexpr double kLeastDistance = 1e-4;
     const double to_axial = std::max(std::abs(bow_.most - bow_.least - offset), kLeastDistance);
     const double turn = std::max(bow_.most - to_axial, bow_.grazing());
-    const SingleRay ray = single_ray(bow_, turn, 1.0);
+    const LoneRay ray = lone_ray(bow_, turn - bow_.least);
     // The other one grazes the drop, and goes on along its surface.
     const double path = 2.0 * bow_.p * std::sqrt(bow_.n * bow_.n - 1.0) + turn - bow_.grazing();
     const double z = std::cbrt(std::pow(0.75 * (path - ray.path), 2.0));
-    const double root = std::pow(z, 0.25) / std::sqrt(reach(to_axial));
-    const double per_root = 1.0 / (std::pow(z, 0.25) * std::sqrt(reach(to_axial)));
+    const double scale = std::sqrt((bow_.most - turn) / reach(to_axial));
+    const double root = scale * std::pow(z, 0.25), per_root = scale / std::pow(z, 0.25);
     return {z, std::copysign(root * ray.perpendicular, before.P_perpendicular),
             std::copysign(per_root * ray.perpendicular, before.Q_perpendicular),
             std::copysign(root * ray.parallel, before.P_parallel),

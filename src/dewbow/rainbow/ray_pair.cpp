@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dewbow/math/root_finding.h"
 #include "dewbow/rainbow/drop_ray.h"
 
 namespace dewbow {
@@ -224,6 +225,39 @@ RayPair<double> ray_pair(const BowGeometry& bow, double offset) {
         for (std::size_t f = 0; f < sums.size(); ++f) *sums[f] += values[f]->real() / points;
     }
     return mean;
+}
+
+LoneRay lone_ray(const BowGeometry& bow, double offset) {
+    const RelativeIndex n{bow.n};
+    const double D = bow.least + offset;
+    const auto excess = [&](double i) {
+        return bow.most + 2.0 * i - 2.0 * bow.p * std::asin(std::sin(i) / bow.n) - D;
+    };
+    const double i = find_root(excess, 0.0, bow.incidence).value_or(0.0), b = std::sin(i);
+    const DropRay ray = drop_ray(b, n);
+    const double slope = std::abs(deviation_slope(ray, n, bow.p));
+    // Near the axis most - D is slope b; where both vanish rounding would have the say.
+    constexpr double kAxial = 1e-6;
+    const double focus = b < kAxial ? 1.0 / slope : b / (bow.most - D);
+    const RayAmplitudes left = ray_amplitudes(ray, n, bow.p);
+    const double scale = std::sqrt(focus / slope);
+    return {2.0 * (bow.p * bow.n * cos(ray.refraction) - cos(ray.incidence)),
+            left.perpendicular * scale, left.parallel * scale};
+}
+
+RayPair<double> lone_pair(const BowGeometry& bow, double offset, const LoneRay& ray) {
+    const double along_surface = 2.0 * bow.p * std::sqrt(bow.n * bow.n - 1.0) + offset - bow.span;
+    const double difference = 0.75 * (along_surface - ray.path);
+    RayPair<double> pair{};
+    pair.zeta = std::cbrt(difference * difference);
+    pair.path = 0.5 * (along_surface + ray.path);
+    // G(-a) = P - aQ = √(2a) ε √(b / |dD/db|), G(a) = P + aQ = 0.
+    const double a = std::sqrt(pair.zeta), scale = std::sqrt(0.5 * a);
+    pair.perpendicular.P = scale * ray.perpendicular;
+    pair.perpendicular.Q = -scale / a * ray.perpendicular;
+    pair.parallel.P = scale * ray.parallel;
+    pair.parallel.Q = -scale / a * ray.parallel;
+    return pair;
 }
 
 }  // namespace dewbow

@@ -2,7 +2,7 @@
 #pragma once
 
 // The two rays that leave a drop in one direction beside its bow, as the uniform approximation
-// needs them: joined so that nothing is singular where they meet.
+// needs them: joined so that nothing is singular where they meet. And the one that is left.
 //
 // Light of order p, with impact parameter b for the partial wave n = xb - 1/2, adds up to
 //
@@ -77,5 +77,18 @@ RayPair<std::complex<double>> separate_rays(const BowGeometry& bow, std::complex
 /// it in the complex plane, on which the rays are apart. [Cauchy]
 /// Error: 1e-11 of each function's largest, 1e-8 for P_next and Q_next.
 RayPair<double> ray_pair(const BowGeometry& bow, double offset);
+
+/// The ray that is left between the grazing one and the central one.
+struct LoneRay {
+    double path;                     ///< 2 (p n cos r - cos i), in radii
+    double perpendicular, parallel;  ///< ε √(b / (|dD/db| (most - D))): finite on the axis
+};
+/// At D = least + `offset`, between grazing() and `most`.   Error: rounding.
+LoneRay lone_ray(const BowGeometry& bow, double offset);
+
+/// The same form for it: P = ∓√ζ Q leaves nothing of the other ray, which is thought to run on
+/// along the surface, so that ζ and η have no seam. P and Q lack a factor √(most - D); what belongs
+/// to 1/x is zero.
+RayPair<double> lone_pair(const BowGeometry& bow, double offset, const LoneRay& ray);
 
 }  // namespace dewbow

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kTerms = RayPairSeries::kTerms;
-constexpr int kFunctions = RayPair<double>::kCount;
+constexpr int kPairFunctions = RayPair<double>::kCount;
+constexpr int kFunctions = RayPairSeries::kFunctions;
 using Block = RayPairSeries::Block;
 using Series = RayPairSeries::Series;
 
@@ -39,16 +40,40 @@ void add(Series& sum, const Series& term, double weight) {
         for (int j = 0; j < kTerms; ++j) sum[f][j] += weight * term[f][j];
 }
 
-Series series_in_sigma(const BowGeometry& bow) {
+/// The range of √(D - least) with one ray.
+struct LoneRange {
+    double middle, half;
+    explicit LoneRange(const BowGeometry& bow) {
+        const double from = std::sqrt(bow.span), to = std::sqrt(bow.most - bow.least);
+        middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    }
+};
+
+/// All functions at the j-th node.
+std::array<double, kFunctions> node_values(const BowGeometry& bow, int j) {
+    const double t = chebyshev_node(j, kTerms);
+    std::array<double, kFunctions> values;
+    const double sigma = 0.5 * largest_sigma(bow.p) * (1.0 + t);
+    RayPair<double> pair = ray_pair(bow, bow.span * (1.0 - sigma * sigma));
+    for (double* next : pair.singular()) *next *= sigma * sigma * sigma;
+    for (int f = 0; f < kPairFunctions; ++f) values[f] = *pair.list()[f];
+    // dD/db vanishes at the bow as √(D - least).
+    const LoneRange range(bow);
+    const double s = range.middle + range.half * t;
+    const LoneRay ray = lone_ray(bow, s * s);
+    values[kPairFunctions] = ray.path;
+    values[kPairFunctions + 1] = ray.perpendicular * std::sqrt(s);
+    values[kPairFunctions + 2] = ray.parallel * std::sqrt(s);
+    return values;
+}
+
+Series series_of(const BowGeometry& bow) {
     Series series{};
     for (int j = 0; j < kTerms; ++j) {
-        const double sigma = 0.5 * largest_sigma(bow.p) * (1.0 + chebyshev_node(j, kTerms));
-        RayPair<double> pair = ray_pair(bow, bow.span * (1.0 - sigma * sigma));
-        for (double* next : pair.singular()) *next *= sigma * sigma * sigma;
-        const auto values = pair.list();
+        const auto values = node_values(bow, j);
         for (int f = 0; f < kFunctions; ++f)
             for (int k = 0; k < kTerms; ++k)
-                series[f][k] += *values[f] * analysis_weight(k, j, kTerms);
+                series[f][k] += values[f] * analysis_weight(k, j, kTerms);
     }
     return series;
 }
@@ -59,7 +84,7 @@ public:
     explicit OrderSeries(int p) : terms_(kIndexTerms) {
         for (int i = 0; i < kIndexTerms; ++i) {
             const double t = chebyshev_node(i, kIndexTerms);
-            const Series one = series_in_sigma(bow_geometry({kMiddle + kHalf * t}, p));
+            const Series one = series_of(bow_geometry({kMiddle + kHalf * t}, p));
             for (int k = 0; k < kIndexTerms; ++k)
                 add(terms_[k], one, analysis_weight(k, i, kIndexTerms));
         }
@@ -122,8 +147,8 @@ double RayPairSeries::sigma(double deviation) const {
     return std::sqrt((geometry_.grazing() - deviation) / geometry_.span);
 }
 
-RayPair<Block> RayPairSeries::at(const Block& deviations, std::size_t count) const {
-    Block t, growth;
+RayPair<Block> RayPairSeries::pairs(const Block& deviations, std::size_t count) const {
+    Block t{}, growth{};
     for (std::size_t i = 0; i < count; ++i) {
         const double s = sigma(deviations[i]);
         t[i] = 2.0 * s / largest_sigma(geometry_.p) - 1.0;
@@ -131,18 +156,39 @@ RayPair<Block> RayPairSeries::at(const Block& deviations, std::size_t count) con
     }
     RayPair<Block> pair;
     const auto values = pair.list();
-    for (int f = 0; f < kFunctions; ++f) sum_series(series_[f], t, count, *values[f]);
+    for (int f = 0; f < kPairFunctions; ++f) sum_series(series_[f], t, count, *values[f]);
     for (Block* next : pair.singular())
         for (std::size_t i = 0; i < count; ++i) (*next)[i] *= growth[i];
     return pair;
 }
 
+RayPair<Block> RayPairSeries::lone(const Block& deviations, std::size_t count) const {
+    const LoneRange range(geometry_);
+    Block t{}, path, perpendicular, parallel;
+    for (std::size_t i = 0; i < count; ++i)
+        t[i] = (std::sqrt(deviations[i] - geometry_.least) - range.middle) / range.half;
+    sum_series(series_[kPairFunctions], t, count, path);
+    sum_series(series_[kPairFunctions + 1], t, count, perpendicular);
+    sum_series(series_[kPairFunctions + 2], t, count, parallel);
+    RayPair<Block> block;
+    const auto to = block.list();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double offset = deviations[i] - geometry_.least, root4 = std::pow(offset, -0.25);
+        const RayPair<double> one =
+            lone_pair(geometry_, offset, {path[i], perpendicular[i] * root4, parallel[i] * root4});
+        const auto from = one.list();
+        for (int f = 0; f < kPairFunctions; ++f) (*to[f])[i] = *from[f];
+    }
+    return block;
+}
+
 RayPair<double> RayPairSeries::at(double deviation) const {
-    const RayPair<Block> block = at(Block{deviation}, 1);
+    const Block one{deviation};
+    const RayPair<Block> block = deviation < geometry_.grazing() ? pairs(one, 1) : lone(one, 1);
     RayPair<double> pair;
     const auto from = block.list();
     const auto to = pair.list();
-    for (int f = 0; f < kFunctions; ++f) *to[f] = (*from[f])[0];
+    for (int f = 0; f < kPairFunctions; ++f) *to[f] = (*from[f])[0];
     return pair;
 }
 

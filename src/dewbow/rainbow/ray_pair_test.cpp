@@ -83,6 +83,47 @@ TEST(RayPair, InsideItIsTwoGeometricRays) {
     }
 }
 
+TEST(LoneRay, IsAGeometricRay) {
+    // |S|²/x² = ε² b / (sin θ |dD/db|), against the rays found by scattering angle; p = 3 between
+    // the grazing ray at 111.6° and the central one at 0°.
+    constexpr double kRounding = 1e-9;
+    const BowGeometry bow = bow_geometry({1.333}, 3);
+    for (double theta : {1e-3, 0.5, 1.0, 1.9}) {
+        const auto rays = geometric_rays({1.333}, 3, theta * unit::rad);
+        ASSERT_EQ(rays.size(), 1u);
+        const LoneRay ray = lone_ray(bow, 2.0 * kPi - theta - bow.least);
+        const double focus = theta / std::sin(theta);
+        EXPECT_NEAR(ray.perpendicular * ray.perpendicular * focus / rays[0].intensity.perpendicular,
+                    1.0, kRounding)
+            << theta;
+        EXPECT_NEAR(ray.parallel * ray.parallel * focus / rays[0].intensity.parallel, 1.0,
+                    kRounding)
+            << theta;
+    }
+    // On the axis itself it is 1 / |dD/db|².
+    const double slope = 2.0 - 2.0 * 3.0 / 1.333;
+    const double left = ray_amplitudes(drop_ray(0.0, {1.333}), {1.333}, 3).perpendicular;
+    EXPECT_NEAR(lone_ray(bow, bow.most - bow.least).perpendicular, left / std::abs(slope),
+                kRounding);
+}
+
+TEST(LoneRay, GoesOnFromThePairWithoutASeam) {
+    // Where the second ray ends P = -√ζ Q; beside the end, within the step.
+    constexpr double kStep = 1e-8, kOfStep = 1e-6;
+    for (int p = kLowestBow; p <= kHighestBow; ++p) {
+        const BowGeometry bow = bow_geometry({1.333}, p);
+        const RayPair<double> pair = ray_pair(bow, bow.span - kStep);
+        RayPair<double> lone = lone_pair(bow, bow.span, lone_ray(bow, bow.span));
+        const double scale = std::sqrt(bow.most - bow.grazing());
+        EXPECT_NEAR(lone.zeta, pair.zeta, kOfStep);
+        EXPECT_NEAR(lone.path, pair.path, kOfStep);
+        EXPECT_NEAR(lone.perpendicular.P * scale, pair.perpendicular.P, kOfStep) << p;
+        EXPECT_NEAR(lone.perpendicular.Q * scale / pair.perpendicular.Q, 1.0, kOfStep) << p;
+        EXPECT_NEAR(lone.parallel.P * scale, pair.parallel.P, kOfStep) << p;
+        EXPECT_NEAR(lone.parallel.Q * scale / pair.parallel.Q, 1.0, kOfStep) << p;
+    }
+}
+
 TEST(RayPairSeries, InterpolatesWithinItsError) {
     // Of each function's largest value between the bow and 4 spans into the dark; P_next and Q_next
     // times what makes them finite.
@@ -105,6 +146,31 @@ TEST(RayPairSeries, InterpolatesWithinItsError) {
             }
             for (std::size_t f = 0; f < worst.size(); ++f)
                 EXPECT_LT(worst[f], kStated * largest[f]) << n << " " << p << " " << f;
+        }
+}
+
+TEST(RayPairSeries, InterpolatesLoneRays) {
+    // Amplitudes relative to the largest of each; paths absolute, as phases need them.
+    constexpr double kAmplitude = 1e-6, kPath = 1e-10;
+    for (int p = kLowestBow; p <= kHighestBow; ++p)
+        for (double n : {1.3, 1.333, 1.3481}) {
+            const RayPairSeries series({n}, p);
+            const BowGeometry& bow = series.geometry();
+            const LoneRay strongest = lone_ray(bow, bow.span);
+            for (double part = 0.0; part <= 1.0; part += 0.0625) {
+                const double D = bow.grazing() + part * (bow.most - bow.grazing());
+                const RayPair<double> exact =
+                    lone_pair(bow, D - bow.least, lone_ray(bow, D - bow.least));
+                const RayPair<double> found = series.at(D);
+                EXPECT_NEAR(found.path, exact.path, kPath) << n << " " << p;
+                EXPECT_NEAR(found.zeta, exact.zeta, kPath) << n << " " << p;
+                EXPECT_NEAR(found.perpendicular.P, exact.perpendicular.P,
+                            kAmplitude * std::abs(strongest.perpendicular))
+                    << n << " " << p;
+                EXPECT_NEAR(found.parallel.Q, exact.parallel.Q,
+                            kAmplitude * std::abs(strongest.perpendicular))
+                    << n << " " << p;
+            }
         }
 }
 

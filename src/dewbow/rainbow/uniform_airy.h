@@ -12,7 +12,7 @@
 namespace dewbow {
 
 /// An AmplitudeModel of drops of real index 1.30 to 1.36, x from 10 to 50,000. Orders 2 to 7,
-/// summed with their phases; none asked for: all of these. NaN nearer to 0° and 180° than 3/x where
+/// summed with their phases; none asked for: all of these. NaN nearer to 0° and 180° than 4/x where
 /// light that does not run along the axis meets there (p >= 4).
 /// Throws InputError for orders that it does not have.
 std::unique_ptr<ScatteringModel> make_uniform_airy(const ModelOptions& options);

@@ -14,6 +14,7 @@
 #include "dewbow/rainbow/descartes.h"
 #include "dewbow/rainbow/drop_ray.h"
 #include "dewbow/rainbow/geometric_flux.h"
+#include "dewbow/rainbow/geometric_rays.h"
 #include "dewbow/rainbow/uniform_bow.h"
 
 namespace dewbow {
@@ -175,17 +176,32 @@ TEST(UniformAiry, BeyondTheGrazingRayOneRayIsLeft) {
     }
 }
 
+/// (2/x²) ∫ ½ (|S_1|² + |S_2|²) sin θ dθ, by midpoints: five at least for each fringe.
+double integral_over_sphere(const ScatteringModel& model, const Drop& drop) {
+    const int count = 4000 + static_cast<int>(2.0 * drop.size_parameter);
+    std::vector<Angle> theta;
+    for (int i = 0; i < count; ++i) theta.push_back(180.0 * (i + 0.5) / count * deg);
+    std::vector<Intensities> light(theta.size());
+    model.intensities({1.333, 0.0}, {&drop, 1}, theta, light);
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i) sum += light[i].unpolarised() * sin(theta[i]);
+    const double step = (180.0 * deg).to(rad) / count;
+    return 2.0 * sum * step / (drop.size_parameter * drop.size_parameter);
+}
+
 TEST(UniformAiry, EnergyIsThatOfTheRays) {
-    // Of the whole sphere, order by order; diffraction at the edge, which the model does not have,
-    // would add to it.
-    constexpr double kOfOrder = 0.01;
-    for (int p : {2, 3}) {
-        const double geometric = order_flux({1.333}, p).flux.unpolarised();
-        const Efficiencies found =
-            make_uniform_airy(of_order(p))->efficiencies({1.333, 0.0}, {2000.0});
-        EXPECT_NEAR(found.scattering / geometric, 1.0, kOfOrder) << p;
-        EXPECT_EQ(found.extinction, found.scattering);
-    }
+    // The whole sphere against its efficiency, also where the drop turns the bow. Measured at
+    // x = 2000: 0.06 % for p = 2 and 0.09 % for p = 3, what is wrong at the drop's edge.
+    constexpr double kEdge = 0.002;
+    for (int p : {2, 3})
+        for (double shift_deg : {0.0, 3.0}) {
+            Drop drop{2000.0};
+            drop.shifts[p] = shift_deg * deg;
+            const auto model = make_uniform_airy(of_order(p));
+            const Efficiencies q = model->efficiencies({1.333, 0.0}, drop);
+            EXPECT_NEAR(integral_over_sphere(*model, drop) / q.scattering, 1.0, kEdge) << p;
+            EXPECT_EQ(q.extinction, q.scattering);
+        }
 }
 
 TEST(UniformAiry, RefusesWhatItCannotTreat) {
@@ -219,54 +235,46 @@ TEST(TwoRayRegion, FromTheDarkAxisToTheGrazingRay) {
     }
 }
 
-std::vector<Angle> whole_circle(int count) {
-    std::vector<Angle> theta;
-    for (int i = 0; i <= count; ++i) theta.push_back(180.0 * i / count * deg);
-    return theta;
-}
-
-TEST(UniformBow, IntensitiesAreThoseOfTheAmplitudes) {
-    // Where light comes one way only, and for drops that turn it as well. Squares of the terms in
-    // 1/x are left out: at x = 2000 4e-4 of the peak, in parallel light far inside.
-    constexpr double kSquares = 6e-4;
-    const UniformBow bow({1.333}, 2);
-    std::vector<Drop> drops{{2000.0}, {2000.0}};
-    drops[1].shifts[2] = 3.0 * deg;
-    const std::vector<double> weights{0.5, 2.0};
-    const std::vector<Angle> theta = whole_circle(720);
-    std::vector<Intensities> sum(theta.size());
-    bow.add_intensities(drops, weights, theta, sum);
-    double peak = 0.0;
-    for (const Intensities& i : sum) peak = std::max(peak, i.perpendicular);
-    for (std::size_t i = 0; i < theta.size(); ++i) {
-        std::vector<Amplitudes> s(2);
-        bow.add_amplitudes(drops, theta[i], s);
-        EXPECT_NEAR(sum[i].perpendicular,
-                    0.5 * std::norm(s[0].perpendicular) + 2.0 * std::norm(s[1].perpendicular),
-                    kSquares * peak);
-        EXPECT_NEAR(sum[i].parallel,
-                    0.5 * std::norm(s[0].parallel) + 2.0 * std::norm(s[1].parallel),
-                    kSquares * peak);
+TEST(UniformBow, HasNoSeamsAndIsFinite) {
+    // Where the second ray ends; and everywhere but where light of p >= 4 crosses the axis.
+    constexpr double kSeam = 1e-5;
+    const Drop drop{2000.0};
+    for (int p = kLowestBow; p <= kHighestBow; ++p) {
+        const UniformBow bow({1.333}, p);
+        const auto at = [&](Angle theta) {
+            Amplitudes s{};
+            bow.add_amplitudes({&drop, 1}, theta, {&s, 1});
+            return s;
+        };
+        const Angle end = two_ray_region({1.333}, p).grazing, step = 1e-7 * deg;
+        const Amplitudes before = at(end - step), after = at(end + step);
+        EXPECT_LT(std::abs(before.perpendicular / after.perpendicular - 1.0), kSeam) << p;
+        EXPECT_LT(std::abs(before.parallel / after.parallel - 1.0), kSeam) << p;
+        for (double theta = 0.0; theta <= 180.0; theta += 0.125) {
+            const bool crosses = p >= 4 && drop.size_parameter * sin(theta * deg) < 4.0;
+            if (crosses) continue;
+            const Amplitudes s = at(theta * deg);
+            EXPECT_TRUE(std::isfinite(std::abs(s.perpendicular) + std::abs(s.parallel)))
+                << p << " " << theta;
+        }
     }
 }
 
-TEST(UniformBow, FiniteAndWithoutSeamsEverywhere) {
-    // Across the end of the two rays the step is that of the modulus of Airy's functions, of the
-    // relative size 5/(32 Z³), and of the ray that ends.
-    constexpr double kSeam = 0.01;
-    for (int p : {2, 3}) {
-        const UniformBow bow({1.333}, p);
-        const Drop drop{2000.0};
-        const double one = 1.0;
-        const std::vector<Angle> theta = whole_circle(3600);
-        std::vector<Intensities> all(theta.size()), sides(2);
-        bow.add_intensities({&drop, 1}, {&one, 1}, theta, all);
-        for (const Intensities& i : all) EXPECT_TRUE(std::isfinite(i.perpendicular + i.parallel));
-        const Angle end = two_ray_region({1.333}, p).grazing, step = 1e-9 * deg;
-        const std::vector<Angle> beside{end - step, end + step};
-        bow.add_intensities({&drop, 1}, {&one, 1}, beside, sides);
-        EXPECT_NEAR(sides[0].perpendicular / sides[1].perpendicular, 1.0, kSeam) << p;
-        EXPECT_NEAR(sides[0].parallel / sides[1].parallel, 1.0, kSeam) << p;
+TEST(UniformBow, LargeDropsBecomeRays) {
+    // Beyond the bow's region, where light comes one way: ε² b / (sin θ |dD/db|) times x². What is
+    // left of Airy functions is (ζ x^{2/3})^{-3/2} / 4.
+    constexpr double kAt50000 = 2e-4;
+    const struct {
+        int p;
+        Angle theta;
+    } rows[] = {{3, 20.0 * deg}, {3, 60.0 * deg}, {4, 60.0 * deg}, {4, 100.0 * deg}};
+    for (const auto& row : rows) {
+        const Drop drop{50000.0};
+        Amplitudes s{};
+        UniformBow({1.333}, row.p).add_amplitudes({&drop, 1}, row.theta, {&s, 1});
+        const Intensities rays = geometric_intensity({1.333}, row.p, row.theta);
+        EXPECT_NEAR(std::norm(s.perpendicular) / (2.5e9 * rays.perpendicular), 1.0, kAt50000);
+        EXPECT_NEAR(std::norm(s.parallel) / (2.5e9 * rays.parallel), 1.0, kAt50000);
     }
 }
 

@@ -27,37 +27,29 @@ struct TwoRayRegion {
 /// Throws InputError unless p >= 2 and 1 < n < p.
 TwoRayRegion two_ray_region(RelativeIndex n, int p);
 
-/// In the region of two rays, with A = ζ x^{2/3},
+/// With A = ζ x^{2/3}, for each way by which light of the order comes to an angle (above p = 3
+/// there can be several),
 ///
 ///     S_j = -x^{3/2} √(2π / sin θ) e^{iψ} [P x^{-1/3} Ai(-A) + i Q x^{-2/3} Ai'(-A)],
 ///
-/// where P is P_j + (i/x) (P_next and what Legendre's functions add), and Q likewise; beyond its
-/// end S_j = -x ε_j √(b / (sin θ |dD/db|)) e^{iψ}, of the ray that is left. Light of orders above 3
-/// comes to some angles more than once. The terms in 1/x are no use where x cos³i of the grazing
-/// ray is small, and fade out there.
+/// where P is P_j + (i/x) (P_next and what Legendre's functions add), and Q likewise. Beyond the
+/// grazing ray that is a single ray, with lone_pair(). The terms in 1/x are no use where x cos³i of
+/// the ray nearer to the edge is small, and fade out there.
 class UniformBow final : public BowPattern {
 public:
     /// Throws InputError as RayPairSeries. Cost: 1 µs; the first of an order 4 ms.
-    UniformBow(RelativeIndex n, int p) : pairs_(n, p) {}
+    UniformBow(RelativeIndex n, int p) : series_(n, p) {}
 
-    const RayPairSeries& pairs() const { return pairs_; }
+    const RayPairSeries& series() const { return series_; }
 
     /// In Bohren and Huffman's convention. NaN where light that does not run along the axis meets
-    /// on it (x b sin θ < 3), unless it has faded.
+    /// on it (x sin θ < 4), unless it has faded.
     /// Cost: 1 µs a passage, and 0.2 µs for each drop of the same shift.
     void add_amplitudes(std::span<const Drop> drops, Angle theta,
                         std::span<Amplitudes> sums) const override;
 
-    /// Adds Σ_k weights[k] |S_j|²(drops[k], θ) to out[angle]. Light that comes to an angle more
-    /// than once is added without phases, and squares of the terms in 1/x are left out. Finite
-    /// everywhere: on the axis sin θ stays at the 2/(πxb) that Legendre's functions reach there.
-    /// Drops that are no spheres: by angle_without_shift. Cost: 5 ns a drop and angle, and 1 µs an
-    /// angle, for each new shift again.
-    void add_intensities(std::span<const Drop> drops, std::span<const double> weights,
-                         std::span<const Angle> theta, std::span<Intensities> out) const;
-
 private:
-    RayPairSeries pairs_;
+    RayPairSeries series_;
 };
 
 }  // namespace dewbow
