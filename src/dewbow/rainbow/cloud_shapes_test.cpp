@@ -43,8 +43,8 @@ TEST(ShapedDrops, SpheresHaveNoShift) {
 TEST(ShapedDrops, TurnThePrimaryBowOfATableAndNotTheSecondary) {
     // 1 mm across, the sun on the horizon: 1.77° and 0.12° at the top.  [ray tracing in 2-D]
     constexpr double kPrimary = 1.77, kSecondary = 0.12, kStep = 0.02, kError = 0.04;
-    for (const auto& [from, to, shift] : {std::tuple{136.0, 142.0, kPrimary},
-                                          std::tuple{126.0, 131.0, kSecondary}}) {
+    for (const auto& [from, to, shift] :
+         {std::tuple{136.0, 142.0, kPrimary}, std::tuple{126.0, 131.0, kSecondary}}) {
         TableRequest request;
         request.sizes = parse_drop_sizes("normal:mean=0.5mm,width=1%");
         request.optics = {constant(1.333), vacuum(), 0.0};

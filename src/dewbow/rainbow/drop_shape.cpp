@@ -91,7 +91,7 @@ public:
 
     /// In radians; nothing where no ray leaves towards the clock angle. Starts from the last one.
     std::optional<double> scattering_angle(double b) {
-        constexpr double kFound = 1e-12;
+        constexpr double kFound = 1e-10;
         double step = 0.0, before = 0.0;
         for (int round = 0; round < 30; ++round) {
             const std::optional<Vec3> out = drop_.leave(frame_, b, psi_, p_);
@@ -118,10 +118,12 @@ private:
 
 /// The extremum near the Descartes ray, by parabolas; nothing if they lead nowhere.
 std::optional<double> extreme_angle(Meridian& meridian, const DescartesRay& bow) {
-    constexpr double kFound = 1e-6;  // of b; the angle errs by its square
-    double b = bow.impact_parameter, reach = 0.01;
+    constexpr double kFound = 1e-4;  // of b; the angle errs by its cube
+    // What third derivatives do to the vertex over this, and the angle errs by: less than 1e-7.
+    constexpr double kReach = 5e-4;
+    double b = bow.impact_parameter;
     for (int round = 0; round < 12; ++round) {
-        reach = std::min(reach, 0.5 * (1.0 - b));
+        const double reach = std::min(kReach, 0.5 * (1.0 - b));
         const auto left = meridian.scattering_angle(b - reach),
                    middle = meridian.scattering_angle(b),
                    right = meridian.scattering_angle(b + reach);
@@ -132,7 +134,6 @@ std::optional<double> extreme_angle(Meridian& meridian, const DescartesRay& bow)
         if (std::abs(step) < kFound) return *middle - slope * slope / (8.0 * bend);
         b += std::clamp(step, -0.03, 0.03);
         if (!(b > 0.3 && b < 1.0)) return std::nullopt;
-        reach = std::clamp(std::abs(step), 1e-3, 0.01);
     }
     return std::nullopt;
 }
