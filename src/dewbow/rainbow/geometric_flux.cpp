@@ -29,23 +29,27 @@ PolarisedFlux transmitted(double c, double n, int p) {
     return {left(rs * rs), left(rp * rp)};
 }
 
-/// Five nodes lose less than 1e-14 on intervals of cos i or i up to this.
-constexpr double kShort = 0.01;
+/// Nodes enough to lose less than 1e-14 on an interval of cos i or i.
 const QuadratureRule& rule_for(double length) {
-    static const QuadratureRule few = gauss_legendre(5), many = gauss_legendre(48);
-    return length < kShort ? few : many;
+    static const QuadratureRule few = gauss_legendre(3), some = gauss_legendre(5),
+                                many = gauss_legendre(48);
+    return length < 0.001 ? few : length < 0.01 ? some : many;
 }
 
 /// ∫ ε² 2b db = ∫ ε² 2c dc between two angles of incidence, `from` the smaller.
 /// The integrand is smooth in c: its nearest poles are at c = −1 / √(n² + 1), that of the Brewster
 /// angle behind the axis.
-PolarisedFlux flux_over_disc(double from, double to, double n, int p) {
-    const double c_to = std::cos(to);
-    const double half = std::sin(0.5 * (from + to)) * std::sin(0.5 * (to - from));
-    const QuadratureRule& rule = rule_for(2.0 * half);
+PolarisedFlux flux_over_disc(const RaySearch::Ray& from, const RaySearch::Ray& to, double n,
+                             int p) {
+    // c_from − c_to, without what cancels near the axis.
+    const double length =
+        from.sine < 0.7 ? (to.sine - from.sine) * (to.sine + from.sine) / (to.cosine + from.cosine)
+                        : from.cosine - to.cosine;
+    const double half = 0.5 * length;
+    const QuadratureRule& rule = rule_for(length);
     PolarisedFlux sum;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double c = c_to + half * (1.0 + rule.nodes[k]);
+        const double c = to.cosine + half * (1.0 + rule.nodes[k]);
         const PolarisedFlux left = transmitted(c, n, p);
         sum.perpendicular += rule.weights[k] * 2.0 * c * left.perpendicular;
         sum.parallel += rule.weights[k] * 2.0 * c * left.parallel;
@@ -54,12 +58,13 @@ PolarisedFlux flux_over_disc(double from, double to, double n, int p) {
 }
 
 /// ∫ ε² db = ∫ ε² cos i di.
-PolarisedFlux flux_over_impact(double from, double to, double n, int p) {
-    const double half = 0.5 * (to - from);
+PolarisedFlux flux_over_impact(const RaySearch::Ray& from, const RaySearch::Ray& to, double n,
+                               int p) {
+    const double half = 0.5 * (to.incidence - from.incidence);
     const QuadratureRule& rule = rule_for(2.0 * half);
     PolarisedFlux sum;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double c = std::cos(from + half * (1.0 + rule.nodes[k]));
+        const double c = std::cos(from.incidence + half * (1.0 + rule.nodes[k]));
         const PolarisedFlux left = transmitted(c, n, p);
         sum.perpendicular += rule.weights[k] * c * left.perpendicular;
         sum.parallel += rule.weights[k] * c * left.parallel;
@@ -106,18 +111,19 @@ void add_geometric_flux(RelativeIndex n, int p, std::span<const Angle> edges,
     const auto flux_between =
         density == RayDensity::even_over_disc ? flux_over_disc : flux_over_impact;
     for (const RayBranch& branch : ray_branches(n, p)) {
-        const auto incidence = [&](Angle theta) {
-            return branch.incidence_at(std::clamp(theta, branch.least, branch.greatest))
-                .to(unit::rad);
+        RaySearch search(branch);
+        const auto ray_at = [&](Angle theta) {
+            return search.at(std::clamp(theta, branch.least, branch.greatest));
         };
         const auto first = std::upper_bound(edges.begin(), edges.end(), branch.least);
         std::size_t cell = first == edges.begin() ? 0 : std::size_t(first - edges.begin()) - 1;
         if (cell + 1 >= edges.size()) continue;
-        double before = incidence(edges[cell]);
+        RaySearch::Ray before = ray_at(edges[cell]);
         for (; cell + 1 < edges.size() && edges[cell] < branch.greatest; ++cell) {
-            const double after = incidence(edges[cell + 1]);
-            const auto [low, high] = std::minmax(before, after);
-            const PolarisedFlux flux = flux_between(low, high, n.value, p);
+            const RaySearch::Ray after = ray_at(edges[cell + 1]);
+            const PolarisedFlux flux = before.incidence < after.incidence
+                                           ? flux_between(before, after, n.value, p)
+                                           : flux_between(after, before, n.value, p);
             out[cell].perpendicular += flux.perpendicular;
             out[cell].parallel += flux.parallel;
             before = after;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "dewbow/base/error.h"
 
@@ -16,12 +17,12 @@ constexpr double kPi = std::numbers::pi;
 
 /// 2i − 2pr, the deflection less that of the ray along the axis, and its derivative by i.
 struct Turn {
-    double value, slope;
+    double value, slope, sine, cosine;
 };
 Turn turn(double incidence, double n, int p) {
-    const double b = std::sin(incidence);
+    const double b = std::sin(incidence), c = std::cos(incidence);
     return {2.0 * incidence - 2.0 * p * std::asin(b / n),
-            2.0 - 2.0 * p * std::cos(incidence) / std::sqrt(n * n - b * b)};
+            2.0 - 2.0 * p * c / std::sqrt(n * n - b * b), b, c};
 }
 
 /// b / |sin θ|, with its limit on the axis.
@@ -47,35 +48,66 @@ GeometricRay ray_of(Angle incidence, RelativeIndex n, int p) {
 
 }  // namespace
 
-Angle RayBranch::incidence_at(Angle theta) const {
-    const double wanted = level_ + side_ * theta.to(unit::rad);
-    if (p == 0) return std::clamp(0.5 * wanted, from_, to_) * unit::rad;
-    if (p == 1) {  // sin i = n sin(i − t) with t = i − r
-        const double t = 0.5 * wanted;
-        return std::atan2(n.value * std::sin(t), n.value * std::cos(t) - 1.0) * unit::rad;
-    }
-    // The root of the distance from the least turn is nearly linear in i, through the bow as well:
-    // Newton's method on it takes three or four steps from the straight line between the ends.
-    const auto root = [&](double value) { return std::sqrt(std::max(value - least_, 0.0)); };
-    const double y = root(wanted), y_from = root(at_from_), y_to = root(at_to_);
-    double low = from_, high = to_;
-    double i = low + (y - y_from) / (y_to - y_from) * (high - low);
+RaySearch::RaySearch(const RayBranch& branch)
+    : branch_(branch),
+      root_from_(root(branch.at_from_)),
+      root_to_(root(branch.at_to_)),
+      mean_slope_((branch.to_ - branch.from_) / (root_to_ - root_from_)),
+      incidence_(branch.from_),
+      root_(root_from_),
+      slope_(mean_slope_) {}
+
+/// The root of the distance from the least turn is nearly linear in i, through the bow as well.
+double RaySearch::root(double turn) const {
+    return std::sqrt(std::max(turn - branch_.least_, 0.0));
+}
+
+RaySearch::Ray RaySearch::at(Angle theta) {
+    const double n = branch_.n.value;
+    const double wanted = branch_.level_ + branch_.side_ * theta.to(unit::rad);
+    if (branch_.p > 1) return bracketed(wanted);
+    const double t = 0.5 * wanted;  // i, or i − r with sin i = n sin(i − t)
+    const double i = branch_.p == 0 ? std::clamp(t, branch_.from_, branch_.to_)
+                                    : std::atan2(n * std::sin(t), n * std::cos(t) - 1.0);
+    return {i, std::sin(i), std::cos(i)};
+}
+
+/// Newton's method on the root, from the straight line through the last ray: four steps at first,
+/// one or two for a neighbour.
+RaySearch::Ray RaySearch::bracketed(double wanted) {
+    // The bow's ray is the same from both sides: between two answers some flux would be lost.
+    constexpr double kRounding = 8e-15;
+    for (const auto& [end, turn_there] :
+         {std::pair{branch_.from_, branch_.at_from_}, std::pair{branch_.to_, branch_.at_to_}})
+        if (std::abs(wanted - turn_there) < kRounding) return {end, std::sin(end), std::cos(end)};
+    const double y = root(wanted);
+    double low = branch_.from_, high = branch_.to_;
+    double i = incidence_ + (y - root_) * slope_;
+    Ray ray;
     constexpr int kMostSteps = 60;  // bisection alone is through by then
     for (int step = 0; step < kMostSteps; ++step) {
         i = std::clamp(i, low, high);
-        const Turn at = turn(i, n.value, p);
-        const double error = at.value - wanted;
+        const Turn at = turn(i, branch_.n.value, branch_.p);
+        ray = {i, at.sine, at.cosine};
+        const double error = at.value - wanted, y_at = root(at.value);
+        // At the bow itself both vanish: there the straight line between the ends is as good.
+        slope_ = y_at > 0.0 ? 2.0 * y_at / at.slope : mean_slope_;
         if (error == 0.0) break;
-        ((error > 0.0) == (at_to_ > at_from_) ? high : low) = i;
-        const double y_at = root(at.value);
-        double next = i - error * 2.0 * y_at / ((y_at + y) * at.slope);
-        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-        constexpr double kLastStep = 1e-10;  // the next one would be its square
-        const bool done = std::abs(next - i) <= kLastStep * i;
-        i = next;
-        if (done) break;
+        ((error > 0.0) == (root_to_ > root_from_) ? high : low) = i;
+        double change = -error * slope_ / (y_at + y);
+        if (!(i + change >= low && i + change <= high)) change = 0.5 * (low + high) - i;
+        i += change;
+        constexpr double kLastStep = 1e-8;  // the next one would be about its square
+        if (std::abs(change) > kLastStep * i) continue;
+        ray = {i, at.sine + change * at.cosine, at.cosine - change * at.sine};
+        break;
     }
-    return i * unit::rad;
+    incidence_ = ray.incidence, root_ = y;
+    return ray;
+}
+
+Angle RayBranch::incidence_at(Angle theta) const {
+    return RaySearch(*this).at(theta).incidence * unit::rad;
 }
 
 std::vector<RayBranch> ray_branches(RelativeIndex n, int p) {

@@ -29,12 +29,35 @@ public:
     Angle incidence_at(Angle theta) const;
 
 private:
+    friend class RaySearch;
     friend std::vector<RayBranch> ray_branches(RelativeIndex n, int p);
     /// 2i − 2pr of the ray that leaves at theta is level + side θ.
     double level_ = 0.0;
     int side_ = 1;
     /// The branch is a part of these rays, along which 2i − 2pr is monotone and least_ at the bow.
     double from_ = 0.0, to_ = 0.0, at_from_ = 0.0, at_to_ = 0.0, least_ = 0.0;
+};
+
+/// Looks for rays of a branch one after the other: twice as fast where each angle is near the
+/// last one.
+class RaySearch {
+public:
+    explicit RaySearch(const RayBranch& branch);
+    /// Angle of incidence in radians, with its sine (the impact parameter) and cosine.
+    struct Ray {
+        double incidence = 0.0, sine = 0.0, cosine = 1.0;
+    };
+    /// The ray that leaves at `theta`, within the branch's ends. Error: as incidence_at.
+    Ray at(Angle theta);
+
+private:
+    double root(double turn) const;
+    Ray bracketed(double wanted);
+
+    const RayBranch& branch_;
+    double root_from_, root_to_, mean_slope_;
+    /// The last ray, the root there, and di over its change.
+    double incidence_, root_, slope_;
 };
 
 /// All rays of order p, from the axis to the edge of the drop.
