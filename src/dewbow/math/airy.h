@@ -35,14 +35,13 @@ public:
 
     /// Both at x from kLowest to kHighest. Without branches: loops of it vectorise.
     AiryPair inside(double x) const { return interpolate(nodes_.data(), x); }
-    /// The same from data(), for loops that a compiler can only vectorise around plain pointers.
+    /// The same from the nodes, for loops that a compiler can only vectorise around plain pointers.
     [[gnu::always_inline]] static AiryPair interpolate(const double* nodes, double x) {
         const double offset = (x - kLowest) * kNodesPerUnit;
         const int node = static_cast<int>(offset + 0.5);
         const double a = kLowest + node * (1.0 / kNodesPerUnit);
         return from_node(nodes[2 * node], nodes[2 * node + 1], a, x - a);
     }
-    const double* data() const { return nodes_.data(); }
 
     /// Both at x[i] into value[i] and derivative[i]; outside the table airy() itself is called.
     void eval(std::span<const double> x, std::span<double> value,

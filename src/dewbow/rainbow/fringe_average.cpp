@@ -45,17 +45,19 @@ FringeAverage::FringeAverage(std::span<const double> sizes, std::span<const doub
     const double small = std::max(least, 0.1 * effective_size_);
     first_ = -step_ * std::ceil(kDarkest * std::pow(small, -2.0 / 3.0) / step_);
     const AiryTable& table = AiryTable::instance();
+    std::vector<double> arguments(drops.size()), ai(drops.size()), derivative(drops.size());
     const auto node_at = [&](double z) {
+        // Where the table ends Ai is 1e-19 of its peak.
+        for (std::size_t d = 0; d < drops.size(); ++d)
+            arguments[d] = std::min(-z * drops[d].third * drops[d].third, AiryTable::kHighest);
+        table.eval(arguments, ai, derivative);
         Node node{};
-        for (const Power& drop : drops) {
-            const double argument = -z * drop.third * drop.third;
-            if (argument > AiryTable::kHighest) continue;
-            const AiryPair ai =
-                argument < AiryTable::kLowest ? airy(argument) : table.inside(argument);
+        for (std::size_t d = 0; d < drops.size(); ++d) {
+            const Power& drop = drops[d];
             const double weight = drop.share * drop.x * drop.x;
-            node.G += weight * drop.third * ai.value * ai.value;
-            node.H += weight / drop.third * ai.derivative * ai.derivative;
-            node.slope += weight * drop.x * ai.value * ai.derivative;
+            node.G += weight * drop.third * ai[d] * ai[d];
+            node.H += weight / drop.third * derivative[d] * derivative[d];
+            node.slope += weight * drop.x * ai[d] * derivative[d];
         }
         return node;
     };
