@@ -109,6 +109,22 @@ TEST(AiryModel, KnowsThePhaseAtTheBow) {
     }
 }
 
+TEST(AiryModel, PathsGrowByTheImpactParameter) {
+    // One Airy unit to either side of the bow as well. A path wrong by 1 % of b would turn the
+    // phase by 0.4 there.
+    constexpr double kCurvature = 0.15;
+    const DescartesRay bow = descartes_ray({1.333}, 2);
+    const Angle unit_angle = std::cbrt(bow.airy_constant / 4e8) * rad;
+    const std::vector<Angle> theta{bow.scattering_angle - unit_angle,
+                                   bow.scattering_angle + unit_angle};
+    std::vector<Amplitudes> a(2), b(2);
+    const auto simple = make_airy(of_order(2)), uniform = make_uniform_airy(of_order(2));
+    dynamic_cast<const AmplitudeModel&>(*simple).amplitudes({1.333, 0.0}, {20000.0}, theta, a);
+    dynamic_cast<const AmplitudeModel&>(*uniform).amplitudes({1.333, 0.0}, {20000.0}, theta, b);
+    for (int k : {0, 1})
+        EXPECT_NEAR(std::arg(a[k].perpendicular / b[k].perpendicular), 0.0, kCurvature) << k;
+}
+
 TEST(AiryModel, TurnsWithTheDropsShape) {
     // By 2°, and spread over as much more solid angle as there is.
     constexpr double kRounding = 1e-12;
