@@ -13,11 +13,11 @@
 #include <iterator>
 #include <new>
 #include <optional>
-#include <random>
 #include <system_error>
-#include <utility>
 
+#include "dewbow/base/descriptor.h"
 #include "dewbow/base/error.h"
+#include "dewbow/base/temporary_file.h"
 
 namespace dewbow {
 
@@ -29,7 +29,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostBytesPerCall = std::size_t{1} << 30;
 // As the kernel: a longer chain of symbolic links is a circle.
 constexpr int kMostLinks = 40;
-constexpr int kTemporaryNameTries = 100;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what) {
     throw InputError(SourcePlace{path.string(), 0, 0, {}}, what);
@@ -43,37 +42,6 @@ constexpr int kTemporaryNameTries = 100;
 void check_name(const fs::path& path) {
     if (path.empty()) throw InputError("no file name given");
     if (path.native().find('\0') != std::string::npos) fail(path, "a file name cannot contain NUL");
-}
-
-/// A file descriptor that closes itself.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    bool is_open() const { return number_ >= 0; }
-    int number() const { return number_; }
-    /// 0, or the number of the error: a network file system may tell only now that the disk is
-    /// full.
-    int close() {
-        const int result = ::close(std::exchange(number_, -1));
-        // Linux has given the descriptor back even then.
-        return result == 0 || errno == EINTR ? 0 : errno;
-    }
-
-private:
-    int number_;
-};
-
-int open_retrying(const fs::path& path, int flags, mode_t mode = 0) {
-    int number;
-    do number = ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, mode);
-    while (number < 0 && errno == EINTR);
-    return number;
 }
 
 const char* kind_of(mode_t mode) {
@@ -95,19 +63,6 @@ std::size_t read_some(const fs::path& path, const Descriptor& file, char* to, st
         have += static_cast<std::size_t>(got);
     }
     return have;
-}
-
-/// 0, or the number of the error.
-int write_all(const Descriptor& file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put =
-            ::write(file.number(), bytes.data(), std::min(bytes.size(), kMostBytesPerCall));
-        if (put < 0 && errno == EINTR) continue;
-        if (put < 0) return errno;
-        if (put == 0) return EIO;
-        bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-    return 0;
 }
 
 /// 0, or the number of the error. A file system that cannot flush says so, and is none.
@@ -197,46 +152,11 @@ Target find_target(const fs::path& path) {
 void write_directly(const fs::path& path, std::string_view bytes) {
     const IgnoreBrokenPipe ignore;
     // To the end of what a shell redirected to a file; a device or FIFO has no end.
-    Descriptor file(open_retrying(path, O_WRONLY | O_APPEND));
+    Descriptor file = open_retrying(path, O_WRONLY | O_APPEND);
     if (!file.is_open()) fail(path, "cannot write", errno);
     if (const int error = write_all(file, bytes)) fail(path, "cannot write", error);
     if (const int error = file.close()) fail(path, "cannot write", error);
 }
-
-/// A new file beside a target, removed again unless it takes the target's place.
-class TemporaryFile {
-public:
-    /// Check is_open: errno tells why not.
-    explicit TemporaryFile(const fs::path& folder) : file_(create(folder)) {}
-    ~TemporaryFile() {
-        if (!path_.empty()) ::unlink(path_.c_str());
-    }
-
-    Descriptor& file() { return file_; }
-    /// 0, or the number of the error.
-    int replace(const fs::path& target) {
-        if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
-        path_.clear();
-        return 0;
-    }
-
-private:
-    int create(const fs::path& folder) {
-        std::random_device random;
-        for (int i = 0; i < kTemporaryNameTries; ++i) {
-            // Short, because the target's own name may be as long as a name can be.
-            const fs::path path = folder / (".dewbow-" + std::to_string(::getpid()) + "-" +
-                                            std::to_string(random()) + ".tmp");
-            const int number = open_retrying(path, O_WRONLY | O_CREAT | O_EXCL, 0666);
-            if (number >= 0) path_ = path;
-            if (number >= 0 || errno != EEXIST) return number;
-        }
-        return -1;
-    }
-
-    fs::path path_;  // before file_, whose construction sets it
-    Descriptor file_;
-};
 
 /// The new file is for whom the old one was. The owner changes back only if we may, which is no
 /// error; bits that give the rights of the owner to whoever runs it are not for a picture.
@@ -250,16 +170,16 @@ int keep_mode(const Descriptor& file, const struct stat& old) {
 /// A file is durable once its folder is. The new file is in place by now and cannot be taken back,
 /// so that a failure here is not reported as one of the write.
 void flush_folder(const fs::path& folder) {
-    const Descriptor file(open_retrying(folder, O_RDONLY | O_DIRECTORY));
+    const Descriptor file = open_retrying(folder, O_RDONLY | O_DIRECTORY);
     if (file.is_open()) ::fsync(file.number());
 }
 
 void write_and_replace(const fs::path& path, const Target& target, std::string_view bytes) {
     TemporaryFile temporary(target.folder);
-    if (!temporary.file().is_open())
+    if (!temporary.is_open())
         fail(path, "cannot create a file in \"" + target.folder.string() + "\"", errno);
     int error = target.existing ? keep_mode(temporary.file(), *target.existing) : 0;
-    if (!error) error = write_all(temporary.file(), bytes);
+    if (!error) error = temporary.write(bytes);
     if (!error) error = flush(temporary.file());
     if (!error) error = temporary.file().close();
     if (!error) error = temporary.replace(target.path);
@@ -308,7 +228,7 @@ std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\
 std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
     check_name(path);
     // O_NONBLOCK: opening a FIFO without a writer must not wait. It changes nothing for a file.
-    const Descriptor file(open_retrying(path, O_RDONLY | O_NONBLOCK));
+    const Descriptor file = open_retrying(path, O_RDONLY | O_NONBLOCK);
     if (!file.is_open()) fail(path, "cannot read", errno);
     struct stat info;
     if (::fstat(file.number(), &info) != 0) fail(path, "cannot read", errno);
@@ -345,6 +265,11 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
 }
 
 void check_writable(const fs::path& path) { find_target(path); }
+
+fs::path replaced_file(const fs::path& path) {
+    Target target = find_target(path);
+    return target.direct ? fs::path() : target.path;
+}
 
 fs::path resolve_inside(const fs::path& folder, std::string_view reference) {
     if (const char* fault = fault_of(reference))

@@ -30,6 +30,10 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 /// at its end.
 void check_writable(const std::filesystem::path& path);
 
+/// The file that write_file_atomically would replace, after symbolic links; empty for a device or a
+/// FIFO, which keeps its place. Throws as check_writable.
+std::filesystem::path replaced_file(const std::filesystem::path& path);
+
 /// The file that `reference`, written in a file of folder `folder`, names: an absolute path without
 /// symbolic links, which need not exist. References stay inside the folder: an absolute path, a
 /// scheme, a backslash, NUL, `..` that leads out, or a symbolic link out throws InputError. Percent
