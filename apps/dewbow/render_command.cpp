@@ -12,6 +12,7 @@
 #include "console.h"
 #include "dewbow/base/check.h"
 #include "dewbow/base/error.h"
+#include "dewbow/base/file_lock.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/import/import.h"
 #include "dewbow/render/exposure.h"
@@ -277,6 +278,14 @@ void check_output(const std::filesystem::path& path) {
         throw InputError(SourcePlace{path.string(), 0, 0, {}}, "cannot write: " + error.message());
 }
 
+std::vector<FileLock> lock_outputs(const RenderCommand& command,
+                                   const std::vector<std::filesystem::path>& paths) {
+    std::vector<FileLock> locks = lock_files(paths);
+    for (const FileLock& lock : locks)
+        if (!lock.remark().empty() && !command.quiet) print_message(presentable(lock.remark()));
+    return locks;
+}
+
 int render_picture(const RenderCommand& command, const Scene& scene,
                    const std::vector<std::filesystem::path>& paths) {
     if (command.crop) check_crop(*command.crop, scene.film);
@@ -319,6 +328,7 @@ int run_render(const RenderCommand& command) {
     // What would make the render useless at its end is found before it begins.
     const std::vector<std::filesystem::path> paths = output_paths(command);
     for (const std::filesystem::path& path : paths) check_output(path);
+    const std::vector<FileLock> locks = lock_outputs(command, paths);
     return render_picture(command, load(command), paths);
 }
 
