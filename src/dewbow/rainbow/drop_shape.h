@@ -38,7 +38,7 @@ struct BowPlace {
 /// angle. Zero for spheres, and for orders 0 and 1.
 ///
 /// Error 1e-7 rad for shifts below 5°. Where there is no fold of light near the sphere's (axis
-/// ratios below about 0.85) it is what first_order_bow_shifts says. Cost: 10 to 30 µs an order.
+/// ratios below about 0.85) it is what first_order_bow_shifts says. Cost: about 10 µs an order.
 BowShifts bow_shifts(RelativeIndex n, const Spheroid& shape, const BowPlace& place);
 
 /// The same to first order in e = (1 − axis ratio) / (1 + axis ratio), for a drop without tilt:
