@@ -11,6 +11,7 @@
 #include "dewbow/rainbow/angle_grid.h"
 #include "dewbow/rainbow/automatic.h"
 #include "dewbow/rainbow/automatic_error.h"
+#include "dewbow/rainbow/bow_model.h"
 #include "dewbow/rainbow/drop_ray.h"
 #include "dewbow/rainbow/size_sampling.h"
 #include "dewbow/rainbow/sun_disc.h"
@@ -79,6 +80,11 @@ std::vector<WeightedRadius> sample_radii(const TableRequest& request) {
         constexpr double kMany = 1000.0;
         const Length range = request.sizes->largest() - request.sizes->smallest();
         sampling.fastest = std::max(sampling.fastest, kMany / range);
+    }
+    if (request.model == "airy" || request.model == "uniform_airy") {
+        const Wavelength longest = request.wavelengths.back();
+        sampling.least =
+            kSmallestBowSize / request.optics.size_parameter(1.0 * m, longest) * (1.0 + 1e-12) * m;
     }
     return sample_sizes(*request.sizes, sampling);
 }

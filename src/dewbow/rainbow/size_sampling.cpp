@@ -100,6 +100,21 @@ void sum_to_one(std::vector<WeightedRadius>& radii) {
     for (WeightedRadius& drop : radii) drop.share /= 1.0 - rest;
 }
 
+/// Drops below `least` are of that radius from now on, if they matter little.
+void merge_below(Length least, std::vector<WeightedRadius>& radii) {
+    constexpr double kLittle = 1e-3;
+    const auto kept = std::find_if(radii.begin(), radii.end(), [&](const WeightedRadius& drop) {
+        return drop.radius >= least;
+    });
+    if (kept == radii.begin()) return;
+    WeightedRadius merged{least, 0.0};
+    for (auto drop = radii.begin(); drop != kept; ++drop) merged.share += drop->share;
+    const double cross_section = merged.share * std::pow(least.to(m), 2);
+    if (cross_section > kLittle * mean_power(radii, 2)) return;
+    radii.erase(radii.begin(), kept);
+    radii.insert(radii.begin(), merged);
+}
+
 /// Enough for 200 fringes over the range.
 constexpr std::size_t kFine = 500;
 constexpr double kMostFringes = 200.0;
@@ -168,6 +183,7 @@ std::vector<WeightedRadius> sample_sizes(const DropSizes& sizes, const SizeSampl
         radii = steps.take(count);
     }
     sum_to_one(radii);
+    merge_below(sampling.least, radii);
     return radii;
 }
 

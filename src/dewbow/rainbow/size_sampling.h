@@ -27,6 +27,9 @@ struct SizeSampling {
     InverseLength fastest{};
     /// Of ∫ n r² cos(2πfr + φ) dr over ∫ n r² dr, for all rates f up to `fastest`; 1e-6 to 0.1.
     double error = 1e-3;
+    /// For models that know no small drops: those below this radius count as of it, if together
+    /// they have less than a thousandth of the cross section then.
+    Length least{};
 };
 
 /// Radii in ascending order, whose shares sum to 1 and whose ⟨r²⟩, ⟨r³⟩ are those of the

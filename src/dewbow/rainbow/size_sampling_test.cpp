@@ -188,6 +188,20 @@ TEST(SampleSizes, OfOneSizeIsThatSize) {
     EXPECT_EQ(radii[0].share, 1.0);
 }
 
+TEST(SampleSizes, LeavesSmallDropsToModelsThatKnowThem) {
+    // An exponential of 0.2 mm: 2.5 % of the drops are below 5 µm, with 1e-5 of the cross section.
+    const DropSizesPtr sizes = parse_drop_sizes("gamma:mean=0.2mm,width=100%");
+    const auto all = sample_sizes(*sizes, {});
+    const auto merged = sample_sizes(*sizes, {.least = 5.0 * um});
+    EXPECT_LT(merged.size(), all.size());
+    EXPECT_EQ(merged.front().radius, 5.0 * um);
+    EXPECT_NEAR(sum_over(merged, [](double) { return 1.0; }), 1.0, 1e-12);
+    EXPECT_NEAR(sum_over(merged, [](double r) { return r * r; }) / sizes->mean_power(2.0), 1.0,
+                1e-4);
+    // Where they matter they stay.
+    EXPECT_EQ(sample_sizes(*sizes, {.least = 100.0 * um}).size(), all.size());
+}
+
 TEST(SampleSizes, RefusesWhatWouldNeverEnd) {
     const DropSizesPtr sizes = parse_drop_sizes("normal:mean=0.5mm,width=10%");
     EXPECT_THROW(sample_sizes(*sizes, {.fastest = 1e12 / m}), InputError);
