@@ -88,7 +88,7 @@ double traced_bow(double e, double altitude, double clock, int p) {
     const Vec3 d{std::cos(altitude), 0.0, -std::sin(altitude)};
     const Vec3 up{std::sin(altitude), 0.0, std::cos(altitude)}, right{0.0, -1.0, 0.0};
     double extreme = -bow.bright_side * -4.0;
-    constexpr int kPlaces = 600, kClocks = 40;
+    constexpr int kPlaces = 400, kClocks = 40;
     for (int i = 0; i <= kPlaces; ++i) {
         const double b = bow.impact_parameter + 0.1 * (double(i) / kPlaces - 0.5);
         double angle = std::numeric_limits<double>::quiet_NaN(), last_error = 0.0, last_angle = 0.0;
@@ -113,9 +113,9 @@ double traced_bow(double e, double altitude, double clock, int p) {
 
 TEST(BowShifts, AgreeWithASpheroidTracedByBruteForce) {
     // Linear between 40 clock angles in 0.6 rad: 0.015² / 8 of second derivatives of order e · 10;
-    // and places in steps of 1.7e-4, h (step/2)² = 3e-7.
+    // and places in steps of 2.5e-4, h (step/2)² = 4e-7.
     constexpr double kGrid = 1e-5;
-    for (const double e : {1e-3, 0.0087756, 0.036})
+    for (const double e : {0.0087756, 0.036})
         for (const int p : {2, 3})
             for (const double h : {0.0, 20.0, 35.0})
                 for (const double chi : {0.0, 30.0, 90.0, 140.0}) {
