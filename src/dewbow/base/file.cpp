@@ -51,6 +51,18 @@ const char* kind_of(mode_t mode) {
     return "a device";
 }
 
+// O_NONBLOCK: opening a FIFO without a writer must not wait. It changes nothing for a file.
+Descriptor open_to_read(const fs::path& path) { return open_retrying(path, O_RDONLY | O_NONBLOCK); }
+
+std::uint64_t size_of_regular(const fs::path& path, const Descriptor& file) {
+    if (!file.is_open()) fail(path, "cannot read", errno);
+    struct stat info;
+    if (::fstat(file.number(), &info) != 0) fail(path, "cannot read", errno);
+    if (!S_ISREG(info.st_mode))
+        fail(path, std::string("cannot read: it is ") + kind_of(info.st_mode) + ", not a file");
+    return static_cast<std::uint64_t>(info.st_size);
+}
+
 /// Reads up to `size` bytes; fewer only at the end of the file.
 std::size_t read_some(const fs::path& path, const Descriptor& file, char* to, std::size_t size) {
     std::size_t have = 0;
@@ -149,12 +161,20 @@ Target find_target(const fs::path& path) {
     return target;
 }
 
-void write_directly(const fs::path& path, std::string_view bytes) {
+using Writer = std::function<void(const ByteSink&)>;
+
+ByteSink sink_to(const fs::path& path, const Descriptor& file) {
+    return [&](std::string_view bytes) {
+        if (const int error = write_all(file, bytes)) fail(path, "cannot write", error);
+    };
+}
+
+void write_directly(const fs::path& path, const Writer& writer) {
     const IgnoreBrokenPipe ignore;
     // To the end of what a shell redirected to a file; a device or FIFO has no end.
     Descriptor file = open_retrying(path, O_WRONLY | O_APPEND);
     if (!file.is_open()) fail(path, "cannot write", errno);
-    if (const int error = write_all(file, bytes)) fail(path, "cannot write", error);
+    writer(sink_to(path, file));
     if (const int error = file.close()) fail(path, "cannot write", error);
 }
 
@@ -174,13 +194,14 @@ void flush_folder(const fs::path& folder) {
     if (file.is_open()) ::fsync(file.number());
 }
 
-void write_and_replace(const fs::path& path, const Target& target, std::string_view bytes) {
+void write_and_replace(const fs::path& path, const Target& target, const Writer& writer) {
     TemporaryFile temporary(target.folder);
     if (!temporary.is_open())
         fail(path, "cannot create a file in \"" + target.folder.string() + "\"", errno);
     int error = target.existing ? keep_mode(temporary.file(), *target.existing) : 0;
-    if (!error) error = temporary.write(bytes);
-    if (!error) error = flush(temporary.file());
+    if (error) fail(path, "cannot write", error);
+    writer(sink_to(path, temporary.file()));
+    error = flush(temporary.file());
     if (!error) error = temporary.file().close();
     if (!error) error = temporary.replace(target.path);
     if (error) fail(path, "cannot write", error);
@@ -225,16 +246,37 @@ std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\
 
 }  // namespace
 
+class FileSource::File {
+public:
+    explicit File(const fs::path& path)
+        : path_(path), file_(open_to_read(path)), size_(size_of_regular(path_, file_)) {}
+    std::uint64_t size() const { return size_; }
+    void read(char* to, std::size_t size) {
+        if (read_some(path_, file_, to, size) < size) fail(path_, "cannot read: it ends too early");
+    }
+
+private:
+    fs::path path_;
+    Descriptor file_;
+    std::uint64_t size_;
+};
+
+FileSource::FileSource(const fs::path& path) {
+    check_name(path);
+    file_ = std::make_unique<File>(path);
+    left_ = file_->size();
+}
+FileSource::~FileSource() = default;
+
+void FileSource::read(char* to, std::size_t size) {
+    file_->read(to, size);
+    left_ -= size;
+}
+
 std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
     check_name(path);
-    // O_NONBLOCK: opening a FIFO without a writer must not wait. It changes nothing for a file.
-    const Descriptor file = open_retrying(path, O_RDONLY | O_NONBLOCK);
-    if (!file.is_open()) fail(path, "cannot read", errno);
-    struct stat info;
-    if (::fstat(file.number(), &info) != 0) fail(path, "cannot read", errno);
-    if (!S_ISREG(info.st_mode))
-        fail(path, std::string("cannot read: it is ") + kind_of(info.st_mode) + ", not a file");
-    const auto size = static_cast<std::uint64_t>(info.st_size);
+    const Descriptor file = open_to_read(path);
+    const std::uint64_t size = size_of_regular(path, file);
     const std::string limit = "larger than the limit of " + std::to_string(max_bytes) + " bytes";
     if (size > max_bytes)
         fail(path, "cannot read: " + std::to_string(size) + " bytes are " + limit);
@@ -257,11 +299,15 @@ std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
+    write_file_atomically(path, [bytes](const ByteSink& sink) { sink(bytes); });
+}
+
+void write_file_atomically(const fs::path& path, const Writer& writer) {
     const Target target = find_target(path);
     if (target.direct)
-        write_directly(path, bytes);
+        write_directly(path, writer);
     else
-        write_and_replace(path, target, bytes);
+        write_and_replace(path, target, writer);
 }
 
 void check_writable(const fs::path& path) { find_target(path); }

@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "dewbow/base/bytes.h"
 
 namespace dewbow {
 
@@ -24,6 +27,25 @@ std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes
 /// old file stays; a write-protected file is refused. A device or FIFO is written directly, waiting
 /// for a FIFO's reader. Throws InputError naming path and reason; then the old file is as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same for bytes that `writer` hands to the sink in pieces. What it throws leaves the old file
+/// as it was, too.
+void write_file_atomically(const std::filesystem::path& path,
+                           const std::function<void(const ByteSink&)>& writer);
+
+/// Reads a regular file in pieces. Throws InputError as read_file does.
+class FileSource : public ByteSource {
+public:
+    explicit FileSource(const std::filesystem::path& path);
+    ~FileSource() override;
+    void read(char* to, std::size_t size) override;
+    std::uint64_t left() const override { return left_; }
+
+private:
+    class File;
+    std::unique_ptr<File> file_;
+    std::uint64_t left_ = 0;
+};
 
 /// Throws the InputError that write_file_atomically would throw, as far as that can be known
 /// beforehand (missing or read-only folder, path is a folder), so that a render does not fail only

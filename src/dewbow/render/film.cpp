@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <tuple>
 
 #include "dewbow/base/check.h"
 #include "dewbow/base/random.h"
+#include "dewbow/render/saturating.h"
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/spectrum.h"
 
@@ -29,7 +31,6 @@ constexpr int kSquareBits = 60;
 constexpr double kMostQuanta = 0x1p102;
 constexpr double kMostSmallQuanta = 0x1p62;
 constexpr double kMostSquareQuanta = 0x1p126;
-constexpr Wide kWideMax = static_cast<Wide>(~static_cast<unsigned __int128>(0) >> 1);
 
 /// No unit vector is longer; what little a rounding error adds does no harm.
 constexpr double kLongestNormal = 2.0;
@@ -39,13 +40,15 @@ constexpr std::size_t kKeptInvalid = 100;
 constexpr double kSmallestReference = 1e-30;
 constexpr double kLargestReference = 1e30;
 
-/// The nearest power of two (by ratio) to `value` > 0. Exact: a logarithm may differ between
-/// machines.
-double nearest_power_of_two(double value) {
+/// The exponent of the nearest power of two (by ratio) to `radiance` > 0. Exact: a logarithm may
+/// differ between machines.
+int reference_exponent_of(double radiance) {
+    DEWBOW_CHECK(radiance > 0.0, "the reference radiance is above zero");
     int exponent = 0;
-    const double mantissa = std::frexp(value, &exponent);  // in [1/2, 1)
+    const double mantissa = std::frexp(std::clamp(radiance, kSmallestReference, kLargestReference),
+                                       &exponent);  // in [1/2, 1)
     constexpr double kSqrtHalf = 0.70710678118654752;
-    return std::ldexp(1.0, mantissa < kSqrtHalf ? exponent - 1 : exponent);
+    return mantissa < kSqrtHalf ? exponent - 1 : exponent;
 }
 
 /// To the nearest integer, ties to even. @param quanta  |quanta| <= 2⁶²
@@ -55,14 +58,6 @@ std::int64_t round_small(double quanta) { return std::llrint(quanta); }
 Wide round_wide(double quanta) {
     if (std::abs(quanta) < kMostSmallQuanta) return round_small(quanta);
     return static_cast<Wide>(quanta);
-}
-
-/// Sums of terms that are not negative; what does not fit stays at the largest value.
-void add_saturating(std::int64_t& sum, std::int64_t term) {
-    if (__builtin_add_overflow(sum, term, &sum)) sum = std::numeric_limits<std::int64_t>::max();
-}
-void add_saturating(Wide& sum, Wide term) {
-    if (__builtin_add_overflow(sum, term, &sum)) sum = kWideMax;
 }
 
 /// One lock for all films: invalid samples are rare.
@@ -93,16 +88,27 @@ private:
 
 }  // namespace
 
+void InvalidSamples::add(const InvalidSamples& other) {
+    count += other.count;
+    std::vector<InvalidSample> both;
+    std::merge(first.begin(), first.end(), other.first.begin(), other.first.end(),
+               std::back_inserter(both), comes_before);
+    if (both.size() > kKeptInvalid) both.resize(kKeptInvalid);
+    first = std::move(both);
+}
+
 FilmSums::FilmSums(int width, int height, PixelRect crop, int spectral_bins,
                    double reference_radiance)
-    : width_(width), height_(height), crop_(crop), bins_(spectral_bins) {
+    : FilmSums(FilmLayout{width, height, crop, spectral_bins,
+                          reference_exponent_of(reference_radiance)}) {}
+
+FilmSums::FilmSums(const FilmLayout& layout) : layout_(layout) {
+    const PixelRect& crop = layout.crop;
     DEWBOW_CHECK(crop.x0 >= 0 && crop.y0 >= 0 && crop.x0 < crop.x1 && crop.y0 < crop.y1 &&
-                     crop.x1 <= width && crop.y1 <= height,
+                     crop.x1 <= layout.width && crop.y1 <= layout.height,
                  "the crop is a part of the picture and not empty");
-    DEWBOW_CHECK(spectral_bins >= 0, "a number of bins is not negative");
-    DEWBOW_CHECK(reference_radiance > 0.0, "the reference radiance is above zero");
-    const double reference =
-        nearest_power_of_two(std::clamp(reference_radiance, kSmallestReference, kLargestReference));
+    DEWBOW_CHECK(layout.spectral_bins >= 0, "a number of bins is not negative");
+    const double reference = std::ldexp(1.0, layout.reference_exponent);
     xyz_quantum_ = std::ldexp(reference, -kXyzBits);
     y_squared_quantum_ = std::ldexp(reference * reference, -kSquareBits);
     bin_quantum_ = std::ldexp(reference, -kBinBits);
@@ -114,7 +120,7 @@ FilmSums::FilmSums(int width, int height, PixelRect crop, int spectral_bins,
     hits_.resize(pixels);
     xyz_.resize(pixels);
     y_squared_.resize(pixels);
-    bins_sum_.resize(pixels * static_cast<std::size_t>(spectral_bins));
+    bins_sum_.resize(pixels * static_cast<std::size_t>(layout.spectral_bins));
     layers_.resize(pixels);
 }
 
@@ -124,10 +130,10 @@ std::size_t FilmSums::bytes_per_pixel(int spectral_bins) {
 }
 
 std::size_t FilmSums::index_of(int x, int y) const {
-    DEWBOW_CHECK(x >= crop_.x0 && x < crop_.x1 && y >= crop_.y0 && y < crop_.y1,
+    DEWBOW_CHECK(x >= crop().x0 && x < crop().x1 && y >= crop().y0 && y < crop().y1,
                  "the pixel lies in the film's crop");
-    return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.width()) +
-           static_cast<std::size_t>(x - crop_.x0);
+    return static_cast<std::size_t>(y - crop().y0) * static_cast<std::size_t>(crop().width()) +
+           static_cast<std::size_t>(x - crop().x0);
 }
 
 void FilmSums::add(int x, int y, const PixelSample& sample, std::int64_t index) {
@@ -137,7 +143,7 @@ void FilmSums::add(int x, int y, const PixelSample& sample, std::int64_t index) 
     std::array<double, 3> quanta;
     const Verdict verdict =
         layers_are_valid(sample) ? xyz_in_quanta(sample, quanta) : Verdict::invalid;
-    if (verdict != Verdict::good) note_invalid({x, y, index});
+    if (verdict != Verdict::good) add_invalid({1, {{x, y, index}}});
     if (verdict == Verdict::invalid) return;
 
     for (std::size_t c = 0; c < 3; ++c) xyz_[pixel][c] += round_wide(quanta[c]);
@@ -145,7 +151,7 @@ void FilmSums::add(int x, int y, const PixelSample& sample, std::int64_t index) 
     const double square = luminance * luminance * (1.0 / y_squared_quantum_);
     add_saturating(y_squared_[pixel], round_wide(std::min(square, kMostSquareQuanta)));
     ++counts_[pixel];
-    if (bins_ > 0) add_bins(pixel, sample);
+    if (layout_.spectral_bins > 0) add_bins(pixel, sample);
     add_layers(pixel, sample);
 }
 
@@ -184,12 +190,12 @@ FilmSums::Verdict FilmSums::xyz_in_quanta(const PixelSample& sample,
 
 void FilmSums::add_bins(std::size_t pixel, const PixelSample& sample) {
     const WavelengthPacket& packet = sample.wavelengths;
-    const double bins_per_nm = bins_ / (kLambdaMax_nm - kLambdaMin_nm);
+    const double bins_per_nm = layout_.spectral_bins / (kLambdaMax_nm - kLambdaMin_nm);
     const double scale = bins_per_nm / (packet.count * bin_quantum_);
-    std::int64_t* sums = &bins_sum_[pixel * static_cast<std::size_t>(bins_)];
+    std::int64_t* sums = &bins_sum_[pixel * static_cast<std::size_t>(layout_.spectral_bins)];
     for (int k = 0; k < packet.count; ++k) {
         const double place = (packet.lambda_nm[k] - kLambdaMin_nm) * bins_per_nm;
-        const int bin = std::clamp(static_cast<int>(place), 0, bins_ - 1);
+        const int bin = std::clamp(static_cast<int>(place), 0, layout_.spectral_bins - 1);
         const double quanta = sample.radiance[k] / packet.pdf_per_nm[k] * scale;
         add_saturating(sums[bin], round_small(std::min(quanta, kMostSmallQuanta)));
     }
@@ -209,12 +215,10 @@ void FilmSums::add_layers(std::size_t pixel, const PixelSample& sample) {
     ++hits_[pixel];
 }
 
-void FilmSums::note_invalid(InvalidSample sample) {
+void FilmSums::add_invalid(const InvalidSamples& samples) {
+    if (samples.count == 0) return;
     const std::scoped_lock lock(invalid_mutex());
-    ++invalid_count_;
-    const auto place = std::lower_bound(invalid_.begin(), invalid_.end(), sample, comes_before);
-    invalid_.insert(place, sample);
-    if (invalid_.size() > kKeptInvalid) invalid_.pop_back();
+    invalid_.add(samples);
 }
 
 std::uint32_t FilmSums::samples(int x, int y) const { return counts_[index_of(x, y)]; }
@@ -229,11 +233,11 @@ Colour<Xyz> FilmSums::xyz(int x, int y) const {
 }
 
 double FilmSums::bin(int x, int y, int bin) const {
-    DEWBOW_CHECK(bin >= 0 && bin < bins_, "the film has that bin");
+    DEWBOW_CHECK(bin >= 0 && bin < layout_.spectral_bins, "the film has that bin");
     const std::size_t pixel = index_of(x, y);
     if (counts_[pixel] == 0) return 0.0;
-    const std::int64_t sum =
-        bins_sum_[pixel * static_cast<std::size_t>(bins_) + static_cast<std::size_t>(bin)];
+    const std::int64_t sum = bins_sum_[pixel * static_cast<std::size_t>(layout_.spectral_bins) +
+                                       static_cast<std::size_t>(bin)];
     return static_cast<double>(sum) * bin_quantum_ / counts_[pixel];
 }
 
@@ -276,19 +280,20 @@ double FilmSums::variance_of_mean(int x, int y) const {
     return std::max(0.0, mean_square - mean * mean) / (n - 1.0);
 }
 
-std::int64_t FilmSums::invalid_samples() const {
-    const std::scoped_lock lock(invalid_mutex());
-    return invalid_count_;
-}
+std::int64_t FilmSums::invalid_samples() const { return invalid().count; }
 
-std::vector<InvalidSample> FilmSums::first_invalid() const {
+std::vector<InvalidSample> FilmSums::first_invalid() const { return invalid().first; }
+
+InvalidSamples FilmSums::invalid() const {
     const std::scoped_lock lock(invalid_mutex());
     return invalid_;
 }
 
 std::uint64_t FilmSums::fingerprint() const {
     Hash hash;
-    for (const int side : {width_, height_, crop_.x0, crop_.y0, crop_.x1, crop_.y1, bins_})
+    const PixelRect& part = layout_.crop;
+    for (const int side :
+         {layout_.width, layout_.height, part.x0, part.y0, part.x1, part.y1, layout_.spectral_bins})
         hash.add(side);
     for (const double quantum : {xyz_quantum_, y_squared_quantum_, bin_quantum_, layer_quantum_})
         hash.add_power_of_two(quantum);
@@ -300,8 +305,8 @@ std::uint64_t FilmSums::fingerprint() const {
     }
     for (const std::int64_t sum : bins_sum_) hash.add(sum);
     const std::scoped_lock lock(invalid_mutex());
-    hash.add(invalid_count_);
-    for (const InvalidSample& sample : invalid_) {
+    hash.add(invalid_.count);
+    for (const InvalidSample& sample : invalid_.first) {
         hash.add((static_cast<std::uint64_t>(sample.y) << 32) |
                  static_cast<std::uint32_t>(sample.x));
         hash.add(sample.index);

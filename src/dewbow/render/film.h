@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct PixelRect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     int width() const { return x1 - x0; }
     int height() const { return y1 - y0; }
+    std::int64_t area() const { return std::int64_t{width()} * height(); }
     bool operator==(const PixelRect&) const = default;
 };
 
@@ -43,6 +46,23 @@ struct InvalidSample {
     bool operator==(const InvalidSample&) const = default;
 };
 
+/// How many samples were invalid, and the first hundred of them by pixel and index.
+struct InvalidSamples {
+    std::int64_t count = 0;
+    std::vector<InvalidSample> first;  // ascending
+    void add(const InvalidSamples& other);
+};
+
+/// Films of one layout can be added.
+struct FilmLayout {
+    int width = 0, height = 0;  ///< of the whole picture
+    PixelRect crop;             ///< the part of it that there are sums of
+    int spectral_bins = 0;
+    /// The quanta are powers of two that follow from 2 to this power, in W m⁻² sr⁻¹ nm⁻¹.
+    int reference_exponent = 0;
+    bool operator==(const FilmLayout&) const = default;
+};
+
 class FilmSums {
 public:
     /// @param width,height  size of the picture.  @param crop  the part of it that is rendered
@@ -51,6 +71,8 @@ public:
     /// bits), rounded to a power of two. Those of the layers (64 bits) are 2⁻²⁴ of 1, of a unit
     /// normal and of a metre.
     FilmSums(int width, int height, PixelRect crop, int spectral_bins, double reference_radiance);
+    /// An empty film.
+    explicit FilmSums(const FilmLayout& layout);
 
     /// Adds one sample of pixel (x, y) of the whole picture. The one place where a sample that is
     /// not finite or is negative is found, counted and left out; one whose XYZ exceed 2⁶² reference
@@ -61,11 +83,16 @@ public:
     /// negative. Cost: about 60 ns with 8 lanes and no bins.
     void add(int x, int y, const PixelSample& sample, std::int64_t index);
 
-    int width() const { return width_; }
-    int height() const { return height_; }
-    const PixelRect& crop() const { return crop_; }
-    int spectral_bins() const { return bins_; }
-    /// Bytes that one pixel takes.
+    /// Adds the sums of a film whose layout is the same but for the crop, which lies within this
+    /// one's. The order of adding does not matter.
+    void add(const FilmSums& other);
+
+    const FilmLayout& layout() const { return layout_; }
+    int width() const { return layout_.width; }
+    int height() const { return layout_.height; }
+    const PixelRect& crop() const { return layout_.crop; }
+    int spectral_bins() const { return layout_.spectral_bins; }
+    /// Bytes that one pixel takes, in memory and in files.
     static std::size_t bytes_per_pixel(int spectral_bins);
 
     // Averages at a pixel of the crop. Zero where no sample arrived.
@@ -84,6 +111,15 @@ public:
     std::int64_t invalid_samples() const;
     /// The first of them, at most 100, ordered by pixel and index.
     std::vector<InvalidSample> first_invalid() const;
+    InvalidSamples invalid() const;
+
+    /// Appends the sums of the pixels of `part`, which lies in the crop, row by row:
+    /// bytes_per_pixel() each, in this machine's byte order.
+    void append_pixels(const PixelRect& part, std::string& to) const;
+    /// Adds what append_pixels made of the same part of a film of the same quanta and bins.
+    /// @param bytes  as many as `part` has.
+    void add_pixels(const PixelRect& part, std::string_view bytes);
+    void add_invalid(const InvalidSamples& samples);
 
     /// A hash of all sums: equal if and only if (practically) every integer is.
     std::uint64_t fingerprint() const;
@@ -96,17 +132,18 @@ public:
 private:
     enum class Verdict { good, too_large, invalid };
 
+    struct Pixel;
+
     std::size_t index_of(int x, int y) const;
+    Pixel pixel(std::size_t index) const;
+    void add_pixel(std::size_t index, const Pixel& sums);
     static bool layers_are_valid(const PixelSample& sample);
     /// The sample's XYZ in quanta; too large ones are clamped.
     Verdict xyz_in_quanta(const PixelSample& sample, std::array<double, 3>& quanta) const;
     void add_bins(std::size_t pixel, const PixelSample& sample);
     void add_layers(std::size_t pixel, const PixelSample& sample);
-    void note_invalid(InvalidSample sample);
 
-    int width_, height_;
-    PixelRect crop_;
-    int bins_;
+    FilmLayout layout_;
     double xyz_quantum_, y_squared_quantum_, bin_quantum_, layer_quantum_;
     std::vector<std::uint32_t> counts_, hits_;
     std::vector<std::array<__int128, 3>> xyz_;
@@ -114,8 +151,7 @@ private:
     std::vector<std::int64_t> bins_sum_;               // [pixel][bin]
     std::vector<std::array<std::int64_t, 7>> layers_;  // albedo XYZ, normal xyz, depth
     // The invalid ones are guarded by a mutex in film.cpp: they are rare.
-    std::vector<InvalidSample> invalid_;  // ascending
-    std::int64_t invalid_count_ = 0;
+    InvalidSamples invalid_;
     SampleObserver observer_;
 };
 

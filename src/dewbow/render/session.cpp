@@ -19,19 +19,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<PixelRect> tiles_of(PixelRect crop) {
-    std::vector<PixelRect> tiles;
-    for (int y = crop.y0; y < crop.y1; y += kTileSide)
-        for (int x = crop.x0; x < crop.x1; x += kTileSide)
-            tiles.push_back(
-                {x, y, std::min(x + kTileSide, crop.x1), std::min(y + kTileSide, crop.y1)});
-    return tiles;
-}
-
-std::int64_t area_of(PixelRect rect) {
-    return static_cast<std::int64_t>(rect.width()) * rect.height();
-}
-
 /// Steps of a progress display that follows the clock or the noise.
 constexpr std::uint64_t kShareSteps = 10000;
 
@@ -54,7 +41,7 @@ public:
         result.crop = film_.crop();
         result.samples = samples_;
         result.samples_per_pixel =
-            static_cast<double>(samples_) / static_cast<double>(area_of(film_.crop()));
+            static_cast<double>(samples_) / static_cast<double>(film_.crop().area());
         result.finished_units = plan_.finished_units();
         result.planned_units = plan_.units();
         result.invalid_samples = film_.invalid_samples();
@@ -82,7 +69,7 @@ private:
         const Unit unit = plan_.unit(pass, tile);
         estimator_.render(unit, film_);
         plan_.set_finished(pass, tile);
-        samples_ += area_of(unit.tile) * (unit.end_sample - unit.first_sample);
+        samples_ += unit.tile.area() * (unit.end_sample - unit.first_sample);
         if (has_goal())
             advance_by_share();
         else
@@ -166,57 +153,6 @@ std::string compiler() {
 
 }  // namespace
 
-UnitPlan::UnitPlan(PixelRect crop, std::int64_t samples_per_pixel)
-    : tiles_(tiles_of(crop)),
-      samples_per_pixel_(samples_per_pixel),
-      passes_(
-          static_cast<std::size_t>((samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass)) {
-    DEWBOW_CHECK(samples_per_pixel >= 1, "a render has samples");
-}
-
-Unit UnitPlan::unit(std::size_t pass, std::size_t tile) const {
-    DEWBOW_CHECK(pass < passes_ && tile < tiles_.size(), "the plan has that unit");
-    const std::int64_t first = static_cast<std::int64_t>(pass) * kSamplesPerPass;
-    return {tiles_[tile], first, std::min(first + kSamplesPerPass, samples_per_pixel_)};
-}
-
-void UnitPlan::set_finished(std::size_t pass, std::size_t tile) {
-    DEWBOW_CHECK(pass < passes_ && tile < tiles_.size(), "the plan has that unit");
-    const std::scoped_lock lock(mutex_);
-    PassState& state = begun_[pass];
-    state.finished.resize(tiles_.size());
-    DEWBOW_CHECK(!state.finished[tile], "each unit is finished once");
-    state.finished[tile] = true;
-    ++finished_units_;
-    if (++state.count < tiles_.size()) return;
-
-    begun_.erase(pass);
-    auto run = whole_.emplace(pass, pass + 1).first;
-    if (const auto next = whole_.find(pass + 1); next != whole_.end()) {
-        run->second = next->second;
-        whole_.erase(next);
-    }
-    if (run == whole_.begin()) return;
-    const auto before = std::prev(run);
-    if (before->second != pass) return;
-    before->second = run->second;
-    whole_.erase(run);
-}
-
-bool UnitPlan::finished(std::size_t pass, std::size_t tile) const {
-    DEWBOW_CHECK(pass < passes_ && tile < tiles_.size(), "the plan has that unit");
-    const std::scoped_lock lock(mutex_);
-    if (const auto state = begun_.find(pass); state != begun_.end())
-        return state->second.finished[tile];
-    const auto after = whole_.upper_bound(pass);
-    return after != whole_.begin() && pass < std::prev(after)->second;
-}
-
-std::size_t UnitPlan::finished_units() const {
-    const std::scoped_lock lock(mutex_);
-    return finished_units_;
-}
-
 std::string to_string(StopReason reason) {
     switch (reason) {
         case StopReason::complete:
@@ -245,7 +181,7 @@ FilmSums make_film(const Scene& scene, const SessionOptions& options) {
 
 double relative_noise(const FilmSums& film) {
     const PixelRect& crop = film.crop();
-    const auto pixels = static_cast<double>(area_of(crop));
+    const auto pixels = static_cast<double>(crop.area());
     double mean = 0.0;
     for (int y = crop.y0; y < crop.y1; ++y)
         for (int x = crop.x0; x < crop.x1; ++x) mean += film.xyz(x, y)[1] / pixels;

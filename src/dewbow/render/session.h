@@ -6,51 +6,17 @@
 
 #include <atomic>
 #include <chrono>
-#include <map>
-#include <mutex>
+#include <functional>
 #include <optional>
 
 #include "dewbow/base/progress.h"
 #include "dewbow/render/estimator.h"
+#include "dewbow/render/unit_plan.h"
 
 namespace dewbow {
 
-/// Samples per pixel in one pass. --time and --noise stop at pass ends only.
-inline constexpr int kSamplesPerPass = 4;
 /// From fewer samples a pixel's noise cannot be told.
 inline constexpr int kLeastSamplesForNoise = 16;
-/// Side of a tile in pixels.
-inline constexpr int kTileSide = 16;
-
-/// The units of a render, in the order (pass, tile), and which of them are finished.
-class UnitPlan {
-public:
-    UnitPlan(PixelRect crop, std::int64_t samples_per_pixel);
-
-    std::size_t passes() const { return passes_; }
-    std::size_t tiles() const { return tiles_.size(); }
-    std::size_t units() const { return passes_ * tiles_.size(); }
-    Unit unit(std::size_t pass, std::size_t tile) const;
-
-    void set_finished(std::size_t pass, std::size_t tile);  // any thread; each unit once
-    bool finished(std::size_t pass, std::size_t tile) const;
-    std::size_t finished_units() const;
-
-private:
-    std::vector<PixelRect> tiles_;
-    std::int64_t samples_per_pixel_;
-    std::size_t passes_;
-    // A pass takes memory from its first finished unit to its last: millions of passes may be
-    // planned.
-    struct PassState {
-        std::vector<bool> finished;
-        std::size_t count = 0;
-    };
-    mutable std::mutex mutex_;
-    std::map<std::size_t, PassState> begun_;    // by pass; neither untouched nor wholly finished
-    std::map<std::size_t, std::size_t> whole_;  // runs [first, end) of wholly finished passes
-    std::size_t finished_units_ = 0;
-};
 
 struct SessionOptions {
     std::optional<PixelRect> crop;

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/unit_plan.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "dewbow/base/check.h"
+#include "dewbow/base/error.h"
+
+namespace dewbow {
+
+namespace {
+
+std::vector<PixelRect> tiles_of(PixelRect crop, int side) {
+    std::vector<PixelRect> tiles;
+    for (int y = crop.y0; y < crop.y1; y += side)
+        for (int x = crop.x0; x < crop.x1; x += side)
+            tiles.push_back({x, y, std::min(x + side, crop.x1), std::min(y + side, crop.y1)});
+    return tiles;
+}
+
+[[noreturn]] void refuse() {
+    throw InputError("damaged: its list of finished units is not possible");
+}
+
+constexpr std::size_t kBitsPerByte = 8;
+
+std::size_t bytes_for(std::size_t bits) { return (bits + kBitsPerByte - 1) / kBitsPerByte; }
+
+}  // namespace
+
+UnitPlan::UnitPlan(PixelRect crop, std::int64_t samples_per_pixel, int tile_side)
+    : crop_(crop),
+      tiles_(tiles_of(crop, tile_side)),
+      samples_per_pixel_(samples_per_pixel),
+      passes_(
+          static_cast<std::size_t>((samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass)) {
+    DEWBOW_CHECK(samples_per_pixel >= 1, "a render has samples");
+}
+
+Unit UnitPlan::unit(std::size_t pass, std::size_t tile) const {
+    DEWBOW_CHECK(pass < passes_ && tile < tiles_.size(), "the plan has that unit");
+    const std::int64_t first = static_cast<std::int64_t>(pass) * kSamplesPerPass;
+    return {tiles_[tile], first, std::min(first + kSamplesPerPass, samples_per_pixel_)};
+}
+
+void UnitPlan::add_whole(std::size_t first, std::size_t end) {
+    auto run = whole_.emplace(first, end).first;
+    if (const auto next = whole_.find(end); next != whole_.end()) {
+        run->second = next->second;
+        whole_.erase(next);
+    }
+    if (run == whole_.begin()) return;
+    const auto before = std::prev(run);
+    if (before->second != first) return;
+    before->second = run->second;
+    whole_.erase(run);
+}
+
+void UnitPlan::finish_if_whole(std::map<std::size_t, BegunPass>::iterator begun) {
+    if (begun->second.count < tiles_.size()) return;
+    const std::size_t pass = begun->first;
+    begun_.erase(begun);
+    add_whole(pass, pass + 1);
+}
+
+void UnitPlan::set_finished(std::size_t pass, std::size_t tile) {
+    DEWBOW_CHECK(!finished(pass, tile), "each unit is finished once");
+    const auto begun = begun_.try_emplace(pass).first;
+    begun->second.finished.resize(tiles_.size());
+    begun->second.finished[tile] = true;
+    ++begun->second.count;
+    ++finished_units_;
+    finish_if_whole(begun);
+}
+
+bool UnitPlan::finished(std::size_t pass, std::size_t tile) const {
+    DEWBOW_CHECK(pass < passes_ && tile < tiles_.size(), "the plan has that unit");
+    const auto begun = begun_.find(pass);
+    return begun != begun_.end() ? begun->second.finished[tile] : pass_finished(pass);
+}
+
+bool UnitPlan::pass_finished(std::size_t pass) const {
+    const auto after = whole_.upper_bound(pass);
+    return after != whole_.begin() && pass < std::prev(after)->second;
+}
+
+std::int64_t UnitPlan::finished_samples() const {
+    std::int64_t samples = 0;
+    for (const auto& [first, end] : whole_)
+        samples += crop_.area() * (unit(end - 1, 0).end_sample - unit(first, 0).first_sample);
+    for (const auto& [pass, begun] : begun_) {
+        for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+            if (!begun.finished[tile]) continue;
+            const Unit u = unit(pass, tile);
+            samples += u.tile.area() * (u.end_sample - u.first_sample);
+        }
+    }
+    return samples;
+}
+
+std::size_t UnitPlan::first_open_pass() const {
+    const auto run = whole_.begin();
+    return run == whole_.end() || run->first > 0 ? 0 : run->second;
+}
+
+bool UnitPlan::operator==(const UnitPlan& other) const {
+    return crop_ == other.crop_ && tiles_ == other.tiles_ &&
+           samples_per_pixel_ == other.samples_per_pixel_ && begun_ == other.begun_ &&
+           whole_ == other.whole_;
+}
+
+std::size_t UnitPlan::common_units(const UnitPlan& other) const {
+    DEWBOW_CHECK(tiles_ == other.tiles_ && samples_per_pixel_ == other.samples_per_pixel_,
+                 "the plans have the same units");
+    std::size_t common = 0;
+    for (const auto& [first, end] : other.whole_) {
+        // Only the run before it can reach into it from the left.
+        auto run = whole_.upper_bound(first);
+        if (run != whole_.begin()) --run;
+        for (; run != whole_.end() && run->first < end; ++run) {
+            const std::size_t from = std::max(first, run->first), to = std::min(end, run->second);
+            if (from < to) common += (to - from) * tiles_.size();
+        }
+        for (auto pass = begun_.lower_bound(first); pass != begun_.end() && pass->first < end;
+             ++pass)
+            common += pass->second.count;
+    }
+    for (const auto& [pass, begun] : other.begun_) {
+        if (pass_finished(pass)) common += begun.count;
+        const auto here = begun_.find(pass);
+        if (here == begun_.end()) continue;
+        for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+            common += begun.finished[tile] && here->second.finished[tile];
+    }
+    return common;
+}
+
+void UnitPlan::add(const UnitPlan& other) {
+    DEWBOW_CHECK(common_units(other) == 0, "each unit is finished once");
+    for (const auto& [first, end] : other.whole_) add_whole(first, end);
+    for (const auto& [pass, begun] : other.begun_) {
+        const auto here = begun_.try_emplace(pass).first;
+        here->second.finished.resize(tiles_.size());
+        for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+            if (begun.finished[tile]) here->second.finished[tile] = true;
+        here->second.count += begun.count;
+        finish_if_whole(here);
+    }
+    finished_units_ += other.finished_units_;
+}
+
+void UnitPlan::append_bytes(std::string& to) const {
+    append_value(to, std::uint64_t{whole_.size()});
+    for (const auto& [first, end] : whole_) {
+        append_value(to, std::uint64_t{first});
+        append_value(to, std::uint64_t{end});
+    }
+    append_value(to, std::uint64_t{begun_.size()});
+    for (const auto& [pass, begun] : begun_) {
+        append_value(to, std::uint64_t{pass});
+        std::string bits(bytes_for(tiles_.size()), '\0');
+        for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+            if (begun.finished[tile])
+                bits[tile / kBitsPerByte] |= static_cast<char>(1u << (tile % kBitsPerByte));
+        to += bits;
+    }
+}
+
+void UnitPlan::read_bytes(ByteSource& from) {
+    DEWBOW_CHECK(finished_units_ == 0, "the plan is untouched");
+    const auto runs = read_value<std::uint64_t>(from);
+    for (std::uint64_t i = 0; i < runs; ++i) {
+        const auto first = read_value<std::uint64_t>(from);
+        const auto end = read_value<std::uint64_t>(from);
+        const bool apart = whole_.empty() || first > whole_.rbegin()->second;
+        if (!apart || first >= end || end > passes_) refuse();
+        whole_.emplace_hint(whole_.end(), first, end);
+        finished_units_ += (end - first) * tiles_.size();
+    }
+    const auto begun = read_value<std::uint64_t>(from);
+    for (std::uint64_t i = 0; i < begun; ++i) read_begun_pass(from);
+}
+
+void UnitPlan::read_begun_pass(ByteSource& from) {
+    const auto pass = read_value<std::uint64_t>(from);
+    const bool later = begun_.empty() || pass > begun_.rbegin()->first;
+    if (!later || pass >= passes_ || pass_finished(pass)) refuse();
+    std::string bits(bytes_for(tiles_.size()), '\0');
+    from.read(bits.data(), bits.size());
+    BegunPass begun{std::vector<bool>(tiles_.size()), 0};
+    for (std::size_t bit = 0; bit < bits.size() * kBitsPerByte; ++bit) {
+        const bool set =
+            (static_cast<unsigned char>(bits[bit / kBitsPerByte]) >> (bit % kBitsPerByte)) & 1u;
+        if (!set) continue;
+        if (bit >= tiles_.size()) refuse();
+        begun.finished[bit] = true;
+        ++begun.count;
+    }
+    if (begun.count == 0 || begun.count == tiles_.size()) refuse();
+    finished_units_ += begun.count;
+    begun_.emplace_hint(begun_.end(), pass, std::move(begun));
+}
+
+}  // namespace dewbow
