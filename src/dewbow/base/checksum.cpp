@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "dewbow/base/random.h"
+#include "dewbow/base/hash.h"
 
 namespace dewbow {
 
