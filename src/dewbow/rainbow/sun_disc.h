@@ -34,7 +34,7 @@ struct SunDisc {
 double disc_profile(const SunDisc& disc, Angle from_centre);
 
 /// What the disc leaves of P_l(cos θ): B_l = (P_{l−1}(cos R) − P_{l+1}(cos R)) / ((2l+1)(1 − cos
-/// R)) for u = 0; 1 for a point. Error 1e-12 for l up to 20,000.
+/// R)) for u = 0; 1 for a point. Within 1e-8 of that closed form, which cancels, to l = 3000.
 double legendre_factor(const SunDisc& disc, int l);
 
 /// Shares of the disc's light in bins of the coordinate across it, the middle bin around its
@@ -56,7 +56,7 @@ std::array<double, 5> published_sun_kernel();
 /// dα, and Q = (I_⊥ − I_∥)/2 by ∫ cos 2α dα, since α also is the angle by which the scattering
 /// plane turns. So 0° and 180° need no exception, and Q is filtered as a quantity of spin 2.
 ///
-/// Error: the weights 1e-7; interpolation h² f″/12. A constant stays what it is to 1e-15. The
+/// Error: the weights 1e-7; interpolation h² f″/12. A constant stays what it is to 1e-14. The
 /// integral over the sphere stays what it is to 1e-8 for even angles, and to what the trapezoidal
 /// rule makes of them where their spacing changes.
 class SunSmoother {
