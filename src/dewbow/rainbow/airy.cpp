@@ -44,15 +44,19 @@ public:
           turns_(std::lround(bow_.deviation.to(unit::rad) / (2.0 * kPi))),
           path_(2.0 * (p * n.value * cos(bow_.ray.refraction) - cos(bow_.ray.incidence))) {}
 
-    void add_amplitudes(std::span<const Drop> drops, Angle theta,
+    void add_amplitudes(std::span<const Drop> drops, std::span<const Angle> theta,
                         std::span<Amplitudes> sums) const override {
-        for (std::size_t k = 0; k < drops.size(); ++k) {
-            const Angle shift = drops[k].shifts[std::size_t(bow_.p)];
-            const Amplitudes s =
-                amplitudes(drops[k].size_parameter, angle_without_shift(theta, shift));
-            const double scale = std::sqrt(brightness_of_shift(theta, shift));
-            sums[k].perpendicular += scale * s.perpendicular;
-            sums[k].parallel += scale * s.parallel;
+        auto sum = sums.begin();
+        for (const Drop& drop : drops) {
+            const Angle shift = drop.shifts[std::size_t(bow_.p)];
+            for (const Angle angle : theta) {
+                const Amplitudes s =
+                    amplitudes(drop.size_parameter, angle_without_shift(angle, shift));
+                const double scale = std::sqrt(brightness_of_shift(angle, shift));
+                sum->perpendicular += scale * s.perpendicular;
+                sum->parallel += scale * s.parallel;
+                ++sum;
+            }
         }
     }
 

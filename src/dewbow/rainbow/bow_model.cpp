@@ -52,19 +52,14 @@ void BowModel::amplitudes(ComplexIndex index, const Drop& drop, std::span<const 
                           std::span<Amplitudes> out) const {
     std::fill(out.begin(), out.end(), Amplitudes{});
     for (const auto& pattern : patterns(index, {&drop, 1}))
-        for (std::size_t i = 0; i < theta.size(); ++i)
-            pattern->add_amplitudes({&drop, 1}, theta[i], out.subspan(i, 1));
+        pattern->add_amplitudes({&drop, 1}, theta, out);
 }
 
 void BowModel::intensities(ComplexIndex index, std::span<const Drop> drops,
                            std::span<const Angle> theta, std::span<Intensities> out) const {
-    const auto bows = patterns(index, drops);
-    std::vector<Amplitudes> sums(drops.size());
-    for (std::size_t i = 0; i < theta.size(); ++i) {
-        std::fill(sums.begin(), sums.end(), Amplitudes{});
-        for (const auto& pattern : bows) pattern->add_amplitudes(drops, theta[i], sums);
-        for (std::size_t d = 0; d < drops.size(); ++d) out[d * theta.size() + i] = squared(sums[d]);
-    }
+    std::vector<Amplitudes> sums(out.size());
+    for (const auto& pattern : patterns(index, drops)) pattern->add_amplitudes(drops, theta, sums);
+    std::transform(sums.begin(), sums.end(), out.begin(), squared);
 }
 
 Efficiencies BowModel::efficiencies(ComplexIndex index, const Drop& drop) const {

@@ -22,9 +22,10 @@ void check_bow_size(double size_parameter);
 class BowPattern {
 public:
     virtual ~BowPattern() = default;
-    /// Adds S_1 and S_2 of each drop to sums[drop]. NaN where the pattern does not hold. The light
-    /// of a drop that is no sphere is turned by angle_without_shift, without losing any.
-    virtual void add_amplitudes(std::span<const Drop> drops, Angle theta,
+    /// Adds S_1 and S_2 to sums[drop][angle], for any angles in any order. NaN where the pattern
+    /// does not hold. The light of a drop that is no sphere is turned by angle_without_shift,
+    /// without losing any.
+    virtual void add_amplitudes(std::span<const Drop> drops, std::span<const Angle> theta,
                                 std::span<Amplitudes> sums) const = 0;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/rainbow/uniform_bow.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "dewbow/math/airy.h"
 #include "dewbow/rainbow/bow_passages.h"
@@ -17,6 +17,8 @@ namespace dewbow {
 namespace {
 
 using Complex = std::complex<double>;
+using Block = RayPairSeries::Block;
+constexpr std::size_t kBlock = RayPairSeries::kBlock;
 constexpr double kPi = std::numbers::pi;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -24,6 +26,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDarkest = 10.0;
 /// Below this x sin θ the light that meets on the axis is no sum of rays.
 constexpr double kOnAxis = 4.0;
+
 /// The terms in 1/x count by (1 - length / x)², with length = kFade / cos³i and cos i of the ray
 /// nearer to the edge, taken as that of the Descartes ray times σ². Tuned on the Debye series of
 /// p = 2 to 5 at x = 300 to 5000.
@@ -37,86 +40,146 @@ double fade(double length, double x) {
     return left * left;
 }
 
-/// P and Q in 1/x: P_next and Q_next, the second terms of P_n(cos θ) and its derivatives, and what
-/// S_1 has of a_n π_n beside b_n τ_n.
-struct NextTerms {
-    double P = 0.0, Q = 0.0;
+/// P + (i/x) P_next and Q + (i/x) Q_next of one polarisation.
+struct Factors {
+    double P, Q, P_next = 0.0, Q_next = 0.0;
 
-    NextTerms() = default;
-    NextTerms(const PairAmplitude<double>& own, const PairAmplitude<double>& other, int side,
-              double cosine, double sine) {
-        const double a = 0.875 * side * cosine / sine, c = -side / sine;
-        P = own.P_next + a * own.P_over_b + c * other.P_over_b;
-        Q = own.Q_next + a * own.Q_over_b + c * other.Q_over_b;
+    Complex times(const AiryPair& ai, double per_x) const {
+        return {P * ai.value - per_x * Q_next * ai.derivative,
+                Q * ai.derivative + per_x * P_next * ai.value};
     }
 };
 
-/// Of Poisson's sum, of R_11^{p-1} with the Hankel functions, and of P_n: what does not depend on
-/// x.
-double still_phase(int p, const Passage& way) {
-    return kPi * (way.turns - 0.5 * (p - 1) - 0.25 * way.side);
+/// With what 1/x has: P_next and Q_next, the second terms of P_n(cos θ) and its derivatives, and
+/// what S_1 has of a_n π_n beside b_n τ_n.
+Factors with_next(const PairAmplitude<double>& own, const PairAmplitude<double>& other, int side,
+                  double theta) {
+    const double sine = std::sin(theta);
+    const double a = 0.875 * side * std::cos(theta) / sine, c = -side / sine;
+    return {own.P, own.Q, own.P_next + a * own.P_over_b + c * other.P_over_b,
+            own.Q_next + a * own.Q_over_b + c * other.Q_over_b};
 }
 
-/// The drops and sums to which a passage adds.
-struct Sums {
-    std::span<const Drop> drops;
-    std::span<Amplitudes> amplitudes;
+/// What a passage has for drops of every size.
+struct Light {
+    double zeta, path;
+    double still;   ///< the phase that does not depend on x
+    double spread;  ///< stands for 1 / sin θ
+    /// Below these x the light meets on the axis, and the terms in 1/x do not count.
+    double on_axis, length;
+    Factors perpendicular, parallel;
 
-    /// `amplitudes_of(x)` gives what a drop has.
-    template <class Function>
-    void add(const Function& amplitudes_of) const {
-        for (std::size_t k = 0; k < drops.size(); ++k) {
-            const Amplitudes s = amplitudes_of(drops[k].size_parameter);
-            amplitudes[k].perpendicular += s.perpendicular;
-            amplitudes[k].parallel += s.parallel;
-        }
-    }
-};
-
-/// [P + (i w/x) P'] x^{-1/3} Ai + i [Q + (i w/x) Q'] x^{-2/3} Ai' of one polarisation.
-Complex pair_sum(double P, double Q, const NextTerms& next, double w_over_x, const AiryPair& ai) {
-    return {P * ai.value - w_over_x * next.Q * ai.derivative,
-            Q * ai.derivative + w_over_x * next.P * ai.value};
-}
-
-/// @param brightness  of |S|², because the drop has turned it (brightness_of_shift).
-void add_passage(const RayPairSeries& series, const Passage& way, double theta, double brightness,
-                 const Sums& sums) {
-    const BowGeometry& bow = series.geometry();
-    const RayPair<double> pair = series.at(way.deviation);
-    const bool has_two = way.deviation < bow.grazing(), is_axial = is_central(bow, way.deviation);
-    const double sine = std::sin(theta), cosine = std::cos(theta);
-    const double length = has_two ? fade_length(bow, series.sigma(way.deviation)) : kLargestBowSize;
-    const NextTerms s(pair.perpendicular, pair.parallel, way.side, cosine, sine);
-    const NextTerms p(pair.parallel, pair.perpendicular, way.side, cosine, sine);
-    const double still = still_phase(bow.p, way),
-                 spread = brightness * focus(bow, way.deviation, theta);
-    sums.add([&](double x) -> Amplitudes {
-        const double third = std::cbrt(x), two_thirds = third * third;
-        if (-pair.zeta * two_thirds > kDarkest) return {};
-        if (!is_axial && x * sine < kOnAxis) return {kNaN, kNaN};
-        AiryPair ai = airy(-pair.zeta * two_thirds);
-        ai = {ai.value / third, ai.derivative / two_thirds};
-        const double w = length < x ? fade(length, x) / x : 0.0;
-        const NextTerms none;
+    /// @param third  x^{1/3}.   @param ai  at -ζ x^{2/3}, where the table has it.
+    Amplitudes amplitudes(double x, double third, AiryPair ai) const {
+        const double far = zeta * third * third;
+        if (far < -kDarkest) return {};
+        if (x < on_axis) return {kNaN, kNaN};
+        if (far > -AiryTable::kLowest) return of_plain_ray(x);
+        const double per_x = length < x ? fade(length, x) / x : 0.0;
+        ai = {ai.value / third, ai.derivative / (third * third)};
         const Complex scale =
-            -x * std::sqrt(2.0 * kPi * x * spread) * std::polar(1.0, x * pair.path + still);
-        return {
-            scale * pair_sum(pair.perpendicular.P, pair.perpendicular.Q, w > 0.0 ? s : none, w, ai),
-            scale * pair_sum(pair.parallel.P, pair.parallel.Q, w > 0.0 ? p : none, w, ai)};
-    });
+            -x * std::sqrt(2.0 * kPi * x * spread) * std::polar(1.0, x * path + still);
+        return {scale * perpendicular.times(ai, per_x), scale * parallel.times(ai, per_x)};
+    }
+
+private:
+    /// So far from the bow there is only a lone ray, and P Ai + i Q Ai' is a wave but for 1e-5.
+    Amplitudes of_plain_ray(double x) const {
+        const double root = std::sqrt(zeta), phase = x * (path - zeta * root / 1.5) + still;
+        const Complex scale =
+            -x * std::sqrt(2.0 * spread / root) * std::polar(1.0, phase + 0.25 * kPi);
+        return {scale * perpendicular.P, scale * parallel.P};
+    }
+};
+
+/// Passages that wait until there is a block of them.
+struct Waiting {
+    std::size_t count = 0;
+    Block deviations{}, thetas{}, brightness{};
+    std::array<Passage, kBlock> ways;
+    std::array<std::size_t, kBlock> targets{};
+};
+
+PairAmplitude<double> at(const PairAmplitude<Block>& a, std::size_t i) {
+    return {a.P[i], a.Q[i], a.P_over_b[i], a.Q_over_b[i], a.P_next[i], a.Q_next[i]};
 }
 
-/// Calls `visit(first, count, shift)` for each run of drops that turn light of order p alike.
-template <class Visit>
-void for_each_shift(std::span<const Drop> drops, int p, const Visit& visit) {
-    const auto order = static_cast<std::size_t>(p);
-    for (std::size_t from = 0, to = 0; from < drops.size(); from = to) {
-        const Angle shift = drops[from].shifts[order];
-        while (to < drops.size() && drops[to].shifts[order] == shift) ++to;
-        visit(from, to - from, shift);
+/// Adds the light of drops that turn it by the same shift.
+class ShiftedSum {
+public:
+    /// Into sums[drop][angle], of which each row has `angles`.
+    ShiftedSum(const RayPairSeries& series, std::span<const Drop> drops, std::size_t angles,
+               std::span<Amplitudes> sums)
+        : series_(series), bow_(series.geometry()), drops_(drops), angles_(angles), sums_(sums) {}
+
+    /// @param theta  where the light would go if the drops were spheres.
+    /// @param brightness  of |S|², because they are none.
+    void add(double theta, double brightness, std::size_t target) {
+        for_each_passage(bow_, series_.darkest(), theta, [&](const Passage& way) {
+            Waiting& those = way.deviation < bow_.grazing() ? pairs_ : lone_;
+            const std::size_t i = those.count++;
+            those.deviations[i] = way.deviation, those.thetas[i] = theta;
+            those.brightness[i] = brightness;
+            those.ways[i] = way, those.targets[i] = target;
+            if (those.count == kBlock) flush(those);
+        });
     }
-}
+    void finish() {
+        flush(pairs_);
+        flush(lone_);
+    }
+
+private:
+    void flush(Waiting& those) {
+        const bool have_two = &those == &pairs_;
+        const RayPair<Block> pair = have_two ? series_.pairs(those.deviations, those.count)
+                                             : series_.lone(those.deviations, those.count);
+        std::array<Light, kBlock> light;
+        for (std::size_t i = 0; i < those.count; ++i) light[i] = light_of(those, i, pair, have_two);
+        Block arguments, value, derivative;
+        for (std::size_t d = 0; d < drops_.size(); ++d) {
+            const double x = drops_[d].size_parameter, third = std::cbrt(x);
+            for (std::size_t i = 0; i < those.count; ++i)
+                arguments[i] = std::clamp(-light[i].zeta * third * third, AiryTable::kLowest,
+                                          AiryTable::kHighest);
+            AiryTable::instance().eval(std::span(arguments).first(those.count), value, derivative);
+            for (std::size_t i = 0; i < those.count; ++i) {
+                const Amplitudes s = light[i].amplitudes(x, third, {value[i], derivative[i]});
+                Amplitudes& sum = sums_[d * angles_ + those.targets[i]];
+                sum.perpendicular += s.perpendicular;
+                sum.parallel += s.parallel;
+            }
+        }
+        those.count = 0;
+    }
+
+    Light light_of(const Waiting& those, std::size_t i, const RayPair<Block>& pair,
+                   bool have_two) const {
+        const Passage& way = those.ways[i];
+        const double theta = those.thetas[i], D = way.deviation;
+        const PairAmplitude<double> s = at(pair.perpendicular, i), p = at(pair.parallel, i);
+        Light light;
+        light.zeta = pair.zeta[i], light.path = pair.path[i];
+        // Of Poisson's sum, of R_11^{p-1} with the Hankel functions, and of P_n.
+        light.still = kPi * (way.turns - 0.5 * (bow_.p - 1) - 0.25 * way.side);
+        light.spread = those.brightness[i] * focus(bow_, D, theta);
+        light.on_axis = is_central(bow_, D) ? 0.0 : kOnAxis / std::sin(theta);
+        light.length = have_two ? fade_length(bow_, series_.sigma(D)) : kLargestBowSize;
+        light.perpendicular = {s.P, s.Q}, light.parallel = {p.P, p.Q};
+        if (light.length < kLargestBowSize) {
+            light.perpendicular = with_next(s, p, way.side, theta);
+            light.parallel = with_next(p, s, way.side, theta);
+        }
+        return light;
+    }
+
+    const RayPairSeries& series_;
+    const BowGeometry& bow_;
+    std::span<const Drop> drops_;
+    std::size_t angles_;
+    std::span<Amplitudes> sums_;
+    Waiting pairs_, lone_;
+};
 
 }  // namespace
 
@@ -127,17 +190,19 @@ TwoRayRegion two_ray_region(RelativeIndex n, int p) {
     return {end > at_bow ? Angle{} : kPi * unit::rad, at_bow, end};
 }
 
-void UniformBow::add_amplitudes(std::span<const Drop> drops, Angle angle,
+void UniformBow::add_amplitudes(std::span<const Drop> drops, std::span<const Angle> theta,
                                 std::span<Amplitudes> sums) const {
-    const BowGeometry& bow = series_.geometry();
-    for_each_shift(drops, bow.p, [&](std::size_t from, std::size_t count, Angle shift) {
-        const Sums part{drops.subspan(from, count), sums.subspan(from, count)};
-        const double theta = angle_without_shift(angle, shift).to(unit::rad);
-        const double brightness = brightness_of_shift(angle, shift);
-        for_each_passage(bow, series_.darkest(), theta, [&](const Passage& way) {
-            add_passage(series_, way, theta, brightness, part);
-        });
-    });
+    const auto p = static_cast<std::size_t>(series_.geometry().p);
+    for (std::size_t from = 0, to = 0; from < drops.size(); from = to) {
+        const Angle shift = drops[from].shifts[p];
+        while (to < drops.size() && drops[to].shifts[p] == shift) ++to;
+        ShiftedSum sum(series_, drops.subspan(from, to - from), theta.size(),
+                       sums.subspan(from * theta.size()));
+        for (std::size_t i = 0; i < theta.size(); ++i)
+            sum.add(angle_without_shift(theta[i], shift).to(unit::rad),
+                    brightness_of_shift(theta[i], shift), i);
+        sum.finish();
+    }
 }
 
 }  // namespace dewbow

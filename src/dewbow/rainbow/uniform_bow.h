@@ -44,8 +44,9 @@ public:
 
     /// In Bohren and Huffman's convention. NaN where light that does not run along the axis meets
     /// on it (x sin θ < 4), unless it has faded.
-    /// Cost: 1 µs a passage, and 0.2 µs for each drop of the same shift.
-    void add_amplitudes(std::span<const Drop> drops, Angle theta,
+    /// Cost for each passage: 0.15 µs an angle, for each new shift again, and 50 ns a drop and
+    /// angle.
+    void add_amplitudes(std::span<const Drop> drops, std::span<const Angle> theta,
                         std::span<Amplitudes> sums) const override;
 
 private:
