@@ -10,10 +10,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -54,11 +56,15 @@ struct Pipe {
 };
 
 [[noreturn]] void become(const fs::path& program, std::vector<char*>& arguments,
-                         const fs::path& folder, bool as_nobody, const Pipe& out, const Pipe& err) {
+                         const fs::path& folder, const Start& start, const Pipe& out,
+                         const Pipe& err) {
     const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    for (const std::string& variable : start.environment)
+        ::putenv(const_cast<char*>(variable.c_str()));
     const bool ready = ::dup2(nothing, 0) == 0 && ::dup2(out.write_end, 1) == 1 &&
                        ::dup2(err.write_end, 2) == 2 && ::chdir(folder.c_str()) == 0 &&
-                       (!as_nobody || ::geteuid() != 0 || ::setuid(kNobody) == 0);
+                       (!start.as_nobody || ::geteuid() != 0 || ::setuid(kNobody) == 0) &&
+                       (!start.prepare || start.prepare());
     if (ready) ::execv(program.c_str(), arguments.data());
     ::_exit(kCannotStart);
 }
@@ -114,31 +120,69 @@ bool fit_for_terminal(const std::string& text) {
 
 }  // namespace
 
-Outcome run_program(const fs::path& program, const std::vector<std::string>& arguments,
-                    const fs::path& folder, bool as_nobody) {
+struct Program::Pipes {
+    Pipe out, err;
+};
+
+Program::Program(const fs::path& program, const std::vector<std::string>& arguments,
+                 const fs::path& folder, const Start& start)
+    : pipes_(std::make_unique<Pipes>()) {
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
 
-    Pipe out, err;
-    const pid_t child = ::fork();
-    if (child < 0) throw std::runtime_error("cannot fork");
-    if (child == 0) become(program, pointers, folder, as_nobody, out, err);
-    out.close_write_end();
-    err.close_write_end();
+    pid_ = ::fork();
+    if (pid_ < 0) throw std::runtime_error("cannot fork");
+    if (pid_ == 0) become(program, pointers, folder, start, pipes_->out, pipes_->err);
+    pipes_->out.close_write_end();
+    pipes_->err.close_write_end();
+}
 
+Program::~Program() {
+    if (pid_ < 0) return;
+    send(SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+}
+
+void Program::send(int signal) const { ::kill(pid_, signal); }
+
+bool Program::runs() const {
+    siginfo_t info{};
+    return pid_ > 0 && ::waitid(P_PID, id_t(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == 0;
+}
+
+Outcome Program::wait() {
     Outcome outcome;
-    if (!collect(out, err, outcome)) ::kill(child, SIGKILL);
+    if (!collect(pipes_->out, pipes_->err, outcome)) send(SIGKILL);
     int status = 0;
     rusage usage{};
-    while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR) continue;
+    while (::wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) continue;
+    pid_ = -1;
     if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
     for (const timeval& time : {usage.ru_utime, usage.ru_stime})
         outcome.cpu_seconds += double(time.tv_sec) + 1e-6 * double(time.tv_usec);
     return outcome;
+}
+
+Outcome run_program(const fs::path& program, const std::vector<std::string>& arguments,
+                    const fs::path& folder, const Start& start) {
+    return Program(program, arguments, folder, start).wait();
+}
+
+fs::path find_tool(const std::string& name) {
+    const char* variable = std::getenv("PATH");
+    std::string_view folders = variable ? variable : "";
+    while (!folders.empty()) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
+        const fs::path path = fs::path(folder) / name;
+        if (::access(path.c_str(), X_OK) == 0) return path;
+        folders.remove_prefix(std::min(folders.size(), folder.size() + 1));
+    }
+    return {};
 }
 
 Folder::Folder() {

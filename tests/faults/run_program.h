@@ -5,7 +5,9 @@
 // behind.
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,10 +25,42 @@ struct Outcome {
 /// In seconds of the wall. Much above what a run may take, because the machine may be busy.
 inline constexpr double kPatience = 60.0;
 
-/// Runs `program` with `arguments` in `folder`, without input. Other users' rights are those of
-/// "nobody", where this process may take them.
+/// How it is started.
+struct Start {
+    bool as_nobody = false;  ///< with other users' rights, where this process may take them
+    std::vector<std::string> environment = {};  ///< NAME=value, beside this process's own
+    /// Called in the new process last of all, to take its limits or streams away. False: do not
+    /// start.
+    std::function<bool()> prepare = {};
+};
+
+/// A program that runs in `folder`, without input, until it ends or is killed with this object.
+class Program {
+public:
+    Program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+            const std::filesystem::path& folder, const Start& start = {});
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    int pid() const { return pid_; }
+    /// Only before wait().
+    void send(int signal) const;
+    bool runs() const;
+    Outcome wait();
+
+private:
+    struct Pipes;
+    std::unique_ptr<Pipes> pipes_;
+    int pid_ = -1;
+};
+
+/// Runs `program` with `arguments` in `folder`, without input, to its end.
 Outcome run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                    const std::filesystem::path& folder, bool as_nobody = false);
+                    const std::filesystem::path& folder, const Start& start = {});
+
+/// The program of this name that a shell would find; empty if there is none.
+std::filesystem::path find_tool(const std::string& name);
 
 /// A temporary folder that is gone at the end.
 class Folder {

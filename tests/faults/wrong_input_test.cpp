@@ -100,7 +100,8 @@ std::string faults_of(const Row& row, const Prepare& prepare, bool as_nobody = f
     for (const File& f : row.files) folder.put(f.name, f.bytes);
     if (prepare) prepare(folder);
     const auto before = folder.snapshot();
-    const Outcome outcome = run_program(DEWBOW_BINARY, row.arguments, folder.path(), as_nobody);
+    const Outcome outcome =
+        run_program(DEWBOW_BINARY, row.arguments, folder.path(), {.as_nobody = as_nobody});
     std::string faults = faults_of_answer(outcome, row.exit_code, row.phrases);
     if (folder.snapshot() != before) faults += "  * the folder is not as it was\n";
     return faults;
@@ -203,7 +204,7 @@ TEST(WrongInput, OutputPlaces) {
 
 TEST(WrongInput, ReadOnlyOutputs) {
     const Folder probe;
-    if (run_program(DEWBOW_BINARY, {"--version"}, probe.path(), true).exit_code != 0)
+    if (run_program(DEWBOW_BINARY, {"--version"}, probe.path(), {.as_nobody = true}).exit_code != 0)
         GTEST_SKIP() << "the program cannot be run as another user";
     const auto prepare = [](const Folder& folder) {
         folder.put("locked/kept", "");

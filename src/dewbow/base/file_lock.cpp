@@ -190,7 +190,8 @@ std::vector<FileLock> lock_files(const std::vector<fs::path>& paths) {
     std::vector<FileLock> locks;
     std::set<fs::path> seen;
     for (const fs::path& path : paths)
-        if (seen.insert(fs::weakly_canonical(lock_file_of(path))).second) locks.emplace_back(path);
+        if (seen.insert(fs::weakly_canonical(fs::absolute(lock_file_of(path)))).second)
+            locks.emplace_back(path);
     return locks;
 }
 

@@ -124,6 +124,9 @@ TEST_F(FileLockTest, LinksToOneFileAreOneFile) {
     const FileLock lock(at("link.exr"));
     EXPECT_TRUE(says(refusal_of(at("d/ring.exr")), "another process writes"));
     EXPECT_EQ(refusal_of(at("ring.exr")), "");
+    fs::current_path(folder_);
+    EXPECT_EQ(lock_files({"a.exr", "./a.exr"}).size(), 1u);
+    fs::current_path("/");
     EXPECT_EQ(lock_files({at("a.exr"), at("d/../a.exr"), at("b.exr")}).size(), 2u);
 }
 
