@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
 
 namespace dewbow {
@@ -28,17 +27,15 @@ int Descriptor::close() {
 }
 
 Descriptor open_retrying(const std::filesystem::path& path, int flags, unsigned mode) {
-    int number;
-    do number = ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, mode);
-    while (number < 0 && errno == EINTR);
-    return Descriptor(number);
+    return Descriptor(
+        not_interrupted([&] { return ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, mode); }));
 }
 
 int write_all(const Descriptor& file, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t put =
-            ::write(file.number(), bytes.data(), std::min(bytes.size(), kMostBytesPerCall));
-        if (put < 0 && errno == EINTR) continue;
+        const ssize_t put = not_interrupted([&] {
+            return ::write(file.number(), bytes.data(), std::min(bytes.size(), kMostBytesPerCall));
+        });
         if (put < 0) return errno;
         if (put == 0) return EIO;
         bytes.remove_prefix(static_cast<std::size_t>(put));

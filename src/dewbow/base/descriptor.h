@@ -3,6 +3,7 @@
 
 // Descriptors of the operating system's files.
 
+#include <cerrno>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,14 @@ public:
 private:
     int number_;
 };
+
+/// What a system call gives when no signal interrupts it any more: -1 with errno, or its value.
+template <class Call>
+auto not_interrupted(const Call& call) {
+    auto result = call();
+    while (result < 0 && errno == EINTR) result = call();
+    return result;
+}
 
 /// open(2), again while signals interrupt it. Not open if it cannot be; then errno tells why.
 Descriptor open_retrying(const std::filesystem::path& path, int flags, unsigned mode = 0);

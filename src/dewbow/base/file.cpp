@@ -67,9 +67,9 @@ std::uint64_t size_of_regular(const fs::path& path, const Descriptor& file) {
 std::size_t read_some(const fs::path& path, const Descriptor& file, char* to, std::size_t size) {
     std::size_t have = 0;
     while (have < size) {
-        const ssize_t got =
-            ::read(file.number(), to + have, std::min(size - have, kMostBytesPerCall));
-        if (got < 0 && errno == EINTR) continue;
+        const ssize_t got = not_interrupted([&] {
+            return ::read(file.number(), to + have, std::min(size - have, kMostBytesPerCall));
+        });
         if (got < 0) fail(path, "cannot read", errno);
         if (got == 0) break;
         have += static_cast<std::size_t>(got);
@@ -79,7 +79,7 @@ std::size_t read_some(const fs::path& path, const Descriptor& file, char* to, st
 
 /// 0, or the number of the error. A file system that cannot flush says so, and is none.
 int flush(const Descriptor& file) {
-    if (::fsync(file.number()) == 0) return 0;
+    if (not_interrupted([&] { return ::fsync(file.number()); }) == 0) return 0;
     return errno == EINVAL || errno == ENOSYS || errno == ENOTSUP ? 0 : errno;
 }
 
@@ -184,7 +184,8 @@ int keep_mode(const Descriptor& file, const struct stat& old) {
     if ((old.st_uid != ::geteuid() || old.st_gid != ::getegid()) &&
         ::fchown(file.number(), old.st_uid, old.st_gid) != 0)
         errno = 0;
-    return ::fchmod(file.number(), old.st_mode & 0777) == 0 ? 0 : errno;
+    const auto set_mode = [&] { return ::fchmod(file.number(), old.st_mode & 0777); };
+    return not_interrupted(set_mode) == 0 ? 0 : errno;
 }
 
 /// A file is durable once its folder is. The new file is in place by now and cannot be taken back,

@@ -94,11 +94,9 @@ bool is_same_file(const Descriptor& file, const fs::path& path) {
 enum class Flock { held, held_by_another, not_supported };
 
 Flock try_flock(const Descriptor& file) {
-    while (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
-        if (errno == EWOULDBLOCK) return Flock::held_by_another;
-        if (errno != EINTR) return Flock::not_supported;
-    }
-    return Flock::held;
+    if (not_interrupted([&] { return ::flock(file.number(), LOCK_EX | LOCK_NB); }) == 0)
+        return Flock::held;
+    return errno == EWOULDBLOCK ? Flock::held_by_another : Flock::not_supported;
 }
 
 /// For writing where that is allowed: some file systems lend flock to writers only.
@@ -189,9 +187,11 @@ bool FileLock::try_to_take_over(const fs::path& path, TemporaryFile& mine, bool 
 std::vector<FileLock> lock_files(const std::vector<fs::path>& paths) {
     std::vector<FileLock> locks;
     std::set<fs::path> seen;
-    for (const fs::path& path : paths)
-        if (seen.insert(fs::weakly_canonical(fs::absolute(lock_file_of(path)))).second)
-            locks.emplace_back(path);
+    for (const fs::path& path : paths) {
+        std::error_code error;  // a folder that cannot be looked at is found by FileLock
+        const fs::path one_name = fs::weakly_canonical(fs::absolute(lock_file_of(path)), error);
+        if (error || seen.insert(one_name).second) locks.emplace_back(path);
+    }
     return locks;
 }
 

@@ -60,19 +60,24 @@ Descriptor TemporaryFile::create(const fs::path& folder) {
 int TemporaryFile::write(std::string_view bytes) { return write_all(file_, bytes); }
 
 int TemporaryFile::replace(const fs::path& target) {
-    if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
+    const auto rename = [&] { return ::rename(path_.c_str(), target.c_str()); };
+    if (not_interrupted(rename) != 0) return errno;
     path_.clear();
     return 0;
 }
 
 int TemporaryFile::take_new_name(const fs::path& target) {
-    if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0) {
+    const auto rename = [&] {
+        return ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE);
+    };
+    if (not_interrupted(rename) == 0) {
         path_.clear();
         return 0;
     }
     // A file system that cannot, NFS for one, has hard links.
     if (errno != EINVAL && errno != ENOSYS) return errno;
-    return ::link(path_.c_str(), target.c_str()) == 0 ? 0 : errno;
+    const auto link = [&] { return ::link(path_.c_str(), target.c_str()); };
+    return not_interrupted(link) == 0 ? 0 : errno;
 }
 
 void remove_temporary_files(const fs::path& folder, const ProcessIdentity& process) {
