@@ -188,8 +188,10 @@ std::vector<FileLock> lock_files(const std::vector<fs::path>& paths) {
     std::vector<FileLock> locks;
     std::set<fs::path> seen;
     for (const fs::path& path : paths) {
+        const fs::path lock_file = lock_file_of(path);
+        if (lock_file.empty()) continue;
         std::error_code error;  // a folder that cannot be looked at is found by FileLock
-        const fs::path one_name = fs::weakly_canonical(fs::absolute(lock_file_of(path)), error);
+        const fs::path one_name = fs::weakly_canonical(fs::absolute(lock_file), error);
         if (error || seen.insert(one_name).second) locks.emplace_back(path);
     }
     return locks;

@@ -137,6 +137,7 @@ TEST_F(FileLockTest, DevicesAndFifosAreNotLocked) {
         const FileLock first(at(name)), second(at(name));
         EXPECT_EQ(lock_file_of(at(name)), "");
     }
+    EXPECT_EQ(lock_files({at("null"), at("fifo")}).size(), 0u);
     EXPECT_EQ(entries(), 2);
 }
 
