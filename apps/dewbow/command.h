@@ -16,6 +16,7 @@
 #include "dewbow/spectrum/display.h"
 #include "dewbow/spectrum/wavelengths.h"
 #include "glass_command.h"
+#include "merge_command.h"
 #include "rainbow_command.h"
 
 namespace dewbow {
@@ -68,8 +69,8 @@ struct ShowText {
     std::string text;
 };
 
-using Command =
-    std::variant<ShowText, RenderCommand, SceneCheckCommand, GlassCommand, RainbowCommand>;
+using Command = std::variant<ShowText, RenderCommand, SceneCheckCommand, GlassCommand,
+                             RainbowCommand, MergeCommand>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

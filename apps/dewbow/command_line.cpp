@@ -114,6 +114,7 @@ public:
         add_scene();
         glass_.emplace(app_);
         rainbow_.emplace(app_);
+        merge_.emplace(app_);
     }
 
     Command parse(int argc, const char* const* argv) {
@@ -140,6 +141,7 @@ public:
         if (scene_check_->parsed()) return scene_check_command();
         if (const auto command = glass_->command()) return *command;
         if (const auto command = rainbow_->command()) return *command;
+        if (const auto command = merge_->command()) return *command;
         throw UsageError("a subcommand is missing", help_hint());
     }
 
@@ -397,6 +399,7 @@ private:
     CLI::App *render_ = nullptr, *scene_ = nullptr, *scene_check_ = nullptr;
     std::optional<GlassCommandLine> glass_;
     std::optional<RainbowCommandLine> rainbow_;
+    std::optional<MergeCommandLine> merge_;
     RenderTexts render_texts_;
     SceneTexts scene_check_texts_;
     bool scene_check_json_ = false;

@@ -20,13 +20,11 @@
 #include "dewbow/render/session.h"
 #include "interrupt.h"
 #include "memory.h"
+#include "picture_report.h"
 
 namespace dewbow {
 
 namespace {
-
-/// The share of invalid samples above which a picture is not to be trusted.
-constexpr double kAllowedInvalidShare = 1e-6;
 
 std::vector<std::filesystem::path> output_paths(const RenderCommand& command) {
     if (!command.outputs.empty()) return {command.outputs.begin(), command.outputs.end()};
@@ -187,36 +185,6 @@ void warn_of_invalid_samples(const FilmSums& film, const Scene& scene,
                     result.invalid_samples, result.samples, describe(context)));
 }
 
-/// Writes what can be written; returns the messages of what cannot.
-std::vector<std::string> write_pictures(const std::vector<std::filesystem::path>& paths,
-                                        const FilmSums& film, const Scene& scene,
-                                        const DisplaySettings& display, const Attributes& facts) {
-    std::vector<std::string> failures;
-    for (const std::filesystem::path& path : paths) {
-        try {
-            write_picture(path, film, scene, display, facts);
-        } catch (const InputError& error) {
-            failures.push_back(error.what());
-        } catch (const std::bad_alloc&) {
-            failures.push_back(path.string() + ": there is not memory enough to write it");
-        }
-    }
-    return failures;
-}
-
-std::string joined(const std::vector<std::filesystem::path>& paths) {
-    std::string text;
-    for (const std::filesystem::path& path : paths)
-        text += (text.empty() ? "" : ", ") + path.string();
-    return text;
-}
-
-std::string samples_text(double samples_per_pixel) {
-    return std::floor(samples_per_pixel) == samples_per_pixel
-               ? fmt::format("{:.0f}", samples_per_pixel)
-               : fmt::format("{:.2f}", samples_per_pixel);
-}
-
 std::string summary(const SessionResult& result, const std::vector<std::filesystem::path>& paths) {
     const std::string reason = result.reason == StopReason::complete ? ""
                                : result.reason == StopReason::interrupted
@@ -227,28 +195,9 @@ std::string summary(const SessionResult& result, const std::vector<std::filesyst
                        format_duration(std::chrono::duration<double>(result.seconds)), reason);
 }
 
-void print_json(const SessionResult& result, const std::vector<std::filesystem::path>& paths) {
-    nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (const std::filesystem::path& path : paths) files.push_back(path.string());
-    const nlohmann::ordered_json object{
-        {"files", files},
-        {"samples_per_pixel", result.samples_per_pixel},
-        {"samples", result.samples},
-        {"seconds", result.seconds},
-        {"complete", result.reason != StopReason::interrupted},
-        {"reason", to_string(result.reason)},
-        {"invalid_samples", result.invalid_samples},
-        {"fingerprint", fingerprint()},
-        {"film_hash", fmt::format("{:016x}", result.film_hash)},
-    };
-    // A file's name need not be UTF-8.
-    print_data(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-}
-
 int exit_code(const SessionResult& result) {
     if (result.reason == StopReason::interrupted) return interrupt_exit_code();
-    const double allowed = kAllowedInvalidShare * static_cast<double>(result.samples);
-    return static_cast<double>(result.invalid_samples) > allowed ? kTooManyInvalid : kDone;
+    return exit_code_by_samples(result);
 }
 
 SessionOptions session_options(const RenderCommand& command) {
@@ -314,7 +263,7 @@ int render_picture(const RenderCommand& command, const Scene& scene,
     if (!failures.empty()) return kFailed;
 
     if (!command.quiet) print_message(summary(result, paths));
-    if (command.json) print_json(result, paths);
+    if (command.json) print_json(result, paths, fingerprint());
     return exit_code(result);
 }
 

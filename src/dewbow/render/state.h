@@ -36,12 +36,20 @@ struct RenderIdentity {
     FilmLayout film;
     int tile_side = kTileSide, samples_per_pass = kSamplesPerPass;
     std::string fingerprint;  ///< of the program and machine
+    /// How pictures are made of the film (picture_settings.h). Nothing in the film depends on it,
+    /// and states that differ in it alone can be added.
+    std::string picture;
 };
 
 /// The first thing that differs, with both values: `the seed is 1 in a and 2 in b` for the names
 /// "a" and "b"; nothing if states of the two can be added.
 std::optional<std::string> mismatch(const RenderIdentity& a, const std::string& a_name,
                                     const RenderIdentity& b, const std::string& b_name);
+
+/// As they stand in a state.
+std::string identity_bytes(const RenderIdentity& identity);
+/// Throws InputError.
+RenderIdentity identity_from_bytes(std::string_view bytes);
 
 struct RenderState {
     explicit RenderState(RenderIdentity of);  ///< nothing is finished

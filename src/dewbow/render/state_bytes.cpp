@@ -29,22 +29,6 @@ void append_text(std::string& to, const std::string& text) {
     to += text;
 }
 
-std::string identity_bytes(const RenderIdentity& identity) {
-    std::string bytes;
-    append_value(bytes, identity.scene_hash);
-    append_text(bytes, identity.estimator);
-    append_text(bytes, identity.settings);
-    append_value(bytes, identity.seed);
-    append_value(bytes, identity.samples_per_pixel);
-    const FilmLayout& film = identity.film;
-    for (const int value : {film.width, film.height, film.crop.x0, film.crop.y0, film.crop.x1,
-                            film.crop.y1, film.spectral_bins, film.reference_exponent,
-                            identity.tile_side, identity.samples_per_pass})
-        append_value(bytes, std::int32_t{value});
-    append_text(bytes, identity.fingerprint);
-    return bytes;
-}
-
 /// What is in memory already.
 class MemorySource : public ByteSource {
 public:
@@ -81,6 +65,7 @@ RenderIdentity identity_from(ByteSource& from) {
                        &identity.tile_side, &identity.samples_per_pass})
         *value = read_value<std::int32_t>(from);
     identity.fingerprint = read_text(from);
+    identity.picture = read_text(from);
     if (from.left() > 0) throw InputError("damaged: its description is too long");
     return identity;
 }
@@ -146,10 +131,7 @@ RenderIdentity read_identity(CheckedSource& from) {
     std::string bytes(static_cast<std::size_t>(size), '\0');
     from.read(bytes.data(), bytes.size());
     from.check();
-    MemorySource memory(bytes);
-    const RenderIdentity identity = identity_from(memory);
-    check_possible(identity);
-    return identity;
+    return identity_from_bytes(bytes);
 }
 
 InvalidSamples read_invalid(ByteSource& from, const PixelRect& crop) {
@@ -197,6 +179,30 @@ RenderState read_checked(ByteSource& source) {
 }
 
 }  // namespace
+
+std::string identity_bytes(const RenderIdentity& identity) {
+    std::string bytes;
+    append_value(bytes, identity.scene_hash);
+    append_text(bytes, identity.estimator);
+    append_text(bytes, identity.settings);
+    append_value(bytes, identity.seed);
+    append_value(bytes, identity.samples_per_pixel);
+    const FilmLayout& film = identity.film;
+    for (const int value : {film.width, film.height, film.crop.x0, film.crop.y0, film.crop.x1,
+                            film.crop.y1, film.spectral_bins, film.reference_exponent,
+                            identity.tile_side, identity.samples_per_pass})
+        append_value(bytes, std::int32_t{value});
+    append_text(bytes, identity.fingerprint);
+    append_text(bytes, identity.picture);
+    return bytes;
+}
+
+RenderIdentity identity_from_bytes(std::string_view bytes) {
+    MemorySource memory(bytes);
+    RenderIdentity identity = identity_from(memory);
+    check_possible(identity);
+    return identity;
+}
 
 StateWriter::StateWriter(const RenderIdentity& identity, ByteSink sink) : sink_(std::move(sink)) {
     const std::string description = identity_bytes(identity);
