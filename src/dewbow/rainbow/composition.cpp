@@ -46,8 +46,7 @@ Composition::Composition(RelativeIndex n, const Orders& orders)
         if (wanted(p)) bows_.emplace_back(n, p);
 }
 
-void Composition::add_rays(int p, double mean_square, std::span<const Angle> theta,
-                           std::span<Intensities> out) const {
+void Composition::add_rays(int p, std::span<const Angle> theta, std::span<Intensities> out) const {
     const double n = n_.value;
     for (std::size_t a = 0; a < theta.size(); ++a) {
         // The ray that leaves at θ: i = 90° − θ/2 outside; sin i = n sin(i − θ/2) inside.
@@ -64,25 +63,53 @@ void Composition::add_rays(int p, double mean_square, std::span<const Angle> the
                                    : b * ci / (std::sin(2.0 * half) * slope);
         }
         const RayAmplitudes e = ray_amplitudes(drop_ray(b, n_), n_, p);
-        out[a].perpendicular += mean_square * geometry * e.perpendicular * e.perpendicular;
-        out[a].parallel += mean_square * geometry * e.parallel * e.parallel;
+        out[a].perpendicular += geometry * e.perpendicular * e.perpendicular;
+        out[a].parallel += geometry * e.parallel * e.parallel;
     }
+}
+
+ComposedLight Composition::beside_bows(std::span<const Angle> theta) const {
+    ComposedLight light;
+    light.per_square_.resize(theta.size());
+    if (diffraction_)
+        for (std::size_t a = 0; a < theta.size() && theta[a] < 90.0 * deg; ++a) {
+            const RayAmplitudes r = ray_amplitudes(drop_ray(cos(0.5 * theta[a]), n_), n_, 0);
+            light.forward_.push_back({theta[a], sin(theta[a]), {-r.perpendicular, -r.parallel}});
+        }
+    if (reflected_) add_rays(0, theta, light.per_square_);
+    if (refracted_) add_rays(1, theta, light.per_square_);
+    return light;
+}
+
+ComposedLight Composition::at(std::span<const Angle> theta) const {
+    ComposedLight light = beside_bows(theta);
+    for (const OrderPattern& bow : bows_) {
+        light.bows_.push_back(bow.at(theta, {}));
+        light.bows_.back().move_singles(light.per_square_);
+    }
+    return light;
+}
+
+void ComposedLight::add(const DropAverages& drops, std::span<Intensities> out) const {
+    const double square = drops.fringes.mean_square();
+    for (std::size_t a = 0; a < per_square_.size(); ++a) {
+        out[a].perpendicular += square * per_square_[a].perpendicular;
+        out[a].parallel += square * per_square_[a].parallel;
+    }
+    for (std::size_t a = 0; a < forward_.size(); ++a) {
+        const Forward& at = forward_[a];
+        const DiffractionAverage::Value value = drops.diffraction.at(at.sine);
+        const double cross =
+            value.cross * edge_interference(at.theta, drops.fringes.effective_size());
+        out[a].perpendicular += value.diffracted + cross * at.grazing.perpendicular;
+        out[a].parallel += value.diffracted + cross * at.grazing.parallel;
+    }
+    for (const BowLight& bow : bows_) bow.add(drops.fringes, out);
 }
 
 void Composition::add_beside_bows(const DropAverages& drops, std::span<const Angle> theta,
                                   std::span<Intensities> out) const {
-    const double mean_square = drops.fringes.mean_square();
-    if (diffraction_)
-        for (std::size_t a = 0; a < theta.size() && theta[a] < 90.0 * deg; ++a) {
-            const DiffractionAverage::Value value = drops.diffraction.at(sin(theta[a]));
-            const DropRay grazing = drop_ray(cos(0.5 * theta[a]), n_);
-            const RayAmplitudes r = ray_amplitudes(grazing, n_, 0);
-            const double cross = edge_interference(theta[a], drops.fringes.effective_size());
-            out[a].perpendicular += value.diffracted - cross * r.perpendicular * value.cross;
-            out[a].parallel += value.diffracted - cross * r.parallel * value.cross;
-        }
-    if (reflected_) add_rays(0, mean_square, theta, out);
-    if (refracted_) add_rays(1, mean_square, theta, out);
+    beside_bows(theta).add(drops, out);
 }
 
 void Composition::add(const DropAverages& drops, const BowShifts& shifts,

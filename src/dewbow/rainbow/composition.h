@@ -30,6 +30,25 @@ struct DropAverages {
     DropAverages rescaled(double ratio) const;
 };
 
+/// The sum of orders at certain angles, for spheres of every size.
+class ComposedLight {
+public:
+    /// Adds Σ share |S_j|² over drops to `out` [angle].
+    void add(const DropAverages& drops, std::span<Intensities> out) const;
+
+private:
+    friend class Composition;
+    /// Where light is diffracted to.
+    struct Forward {
+        Angle theta;
+        double sine;
+        Intensities grazing;  ///< −r_j of light reflected to there
+    };
+    std::vector<Forward> forward_;
+    std::vector<Intensities> per_square_;  ///< single rays, times Σ share x²
+    std::vector<BowLight> bows_;
+};
+
 /// For one index.
 class Composition {
 public:
@@ -47,6 +66,8 @@ public:
                          std::span<Intensities> out) const;
     std::span<const OrderPattern> bows() const { return bows_; }
 
+    ComposedLight at(std::span<const Angle> theta) const;
+
 private:
     friend class CompositionFamily;
     Composition(RelativeIndex n, const Composition& like, std::vector<OrderPattern> bows)
@@ -55,8 +76,8 @@ private:
           reflected_(like.reflected_),
           refracted_(like.refracted_),
           bows_(std::move(bows)) {}
-    void add_rays(int p, double mean_square, std::span<const Angle> theta,
-                  std::span<Intensities> out) const;
+    ComposedLight beside_bows(std::span<const Angle> theta) const;
+    void add_rays(int p, std::span<const Angle> theta, std::span<Intensities> out) const;
 
     RelativeIndex n_;
     bool diffraction_, reflected_, refracted_;

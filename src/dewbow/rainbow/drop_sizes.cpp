@@ -124,12 +124,14 @@ public:
           scale_(scale),
           most_(most),
           end_(std::pow(most / scale, gamma)),
-          norm_(gamma / (std::tgamma(order(0.0)) * lower_gamma_share(order(0.0), end_))),
+          log_norm_(std::log(gamma / lower_gamma_share(order(0.0), end_)) -
+                    std::lgamma(order(0.0))),
           description_(std::move(description)) {}
     double density(Length radius) const override {
         if (radius > most_) return 0.0;
         const double x = radius / scale_;
-        return norm_ / scale_.to(m) * std::pow(x, alpha_) * std::exp(-std::pow(x, gamma_));
+        // In logarithms: for narrow distributions the factors leave the range of doubles.
+        return std::exp(log_norm_ + alpha_ * std::log(x) - std::pow(x, gamma_)) / scale_.to(m);
     }
     double mean_power(double power) const override {
         return std::exp(std::lgamma(order(power)) - std::lgamma(order(0.0))) *
@@ -158,7 +160,7 @@ private:
     }
     double alpha_, gamma_;
     Length scale_, most_;
-    double end_, norm_;
+    double end_, log_norm_;
     std::string description_;
 };
 

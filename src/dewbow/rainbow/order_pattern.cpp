@@ -171,6 +171,14 @@ BowLight OrderPattern::at(std::span<const Angle> theta, Angle shift) const {
     return light;
 }
 
+void BowLight::move_singles(std::span<Intensities> per_square) {
+    for (const Single& from : singles_) {
+        per_square[from.angle].perpendicular += from.per_square.perpendicular;
+        per_square[from.angle].parallel += from.per_square.parallel;
+    }
+    singles_.clear();
+}
+
 void BowLight::add(const FringeAverage& drops, std::span<Intensities> out) const {
     for (const Passage& from : pairs_) {
         const FringeAverage::Value v = drops.at(from.z);

@@ -29,6 +29,8 @@ class BowLight {
 public:
     /// Adds Σ share |S_j|² over drops to `out` [angle].   Cost: 10 ns for each angle with two rays.
     void add(const FringeAverage& drops, std::span<Intensities> out) const;
+    /// Moves what is the same for all sizes, over Σ share x², to `per_square` [angle].
+    void move_singles(std::span<Intensities> per_square);
 
 private:
     friend class OrderPattern;

@@ -15,53 +15,12 @@
 #include "dewbow/rainbow/drop_ray.h"
 #include "dewbow/rainbow/size_sampling.h"
 #include "dewbow/rainbow/sun_disc.h"
+#include "dewbow/rainbow/table_checks.h"
 
 namespace dewbow {
 namespace {
 
 using namespace unit;
-
-/// Wavelengths that are asked for: where waves in water are what they are here.
-constexpr Wavelength kShortest = 100.0 * nm, kLongest = 20000.0 * nm;
-
-void check_wavelengths(const std::vector<Wavelength>& wavelengths) {
-    if (wavelengths.empty()) throw InputError("no wavelengths; expected at least one");
-    for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-        const double value = wavelengths[i].to(nm);
-        if (!(wavelengths[i] >= kShortest && wavelengths[i] <= kLongest))
-            throw InputError(fmt::format("wavelength {:.6g} nm; expected {:.6g} to {:.6g} nm",
-                                         value, kShortest.to(nm), kLongest.to(nm)));
-        if (i > 0 && !(wavelengths[i] > wavelengths[i - 1]))
-            throw InputError(
-                fmt::format("wavelength {:.6g} nm after {:.6g} nm; expected ascending ones", value,
-                            wavelengths[i - 1].to(nm)));
-    }
-}
-
-void check_angles(const std::vector<Angle>& angles) {
-    if (angles.empty()) throw InputError("no angles; expected at least one");
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        const double value = angles[i].to(deg);
-        if (!(angles[i] >= 0.0 * deg && angles[i] <= 180.0 * deg))
-            throw InputError(
-                fmt::format("scattering angle {:.6g} deg; expected 0 to 180 deg", value));
-        if (i > 0 && !(angles[i] > angles[i - 1]))
-            throw InputError(
-                fmt::format("scattering angle {:.6g} deg after {:.6g} deg; expected ascending ones",
-                            value, angles[i - 1].to(deg)));
-    }
-}
-
-void check(const TableRequest& request) {
-    if (!request.sizes) throw InputError("no drop sizes");
-    if (!request.optics.drop || !request.optics.around)
-        throw InputError("no refractive index of the drops, or of what is around them");
-    if (!(request.tolerance > 0.0 && request.tolerance <= 1.0))
-        throw InputError(
-            fmt::format("tolerance {:.6g}; expected above 0, at most 1", request.tolerance));
-    check_wavelengths(request.wavelengths);
-    check_angles(request.angles);
-}
 
 /// Radii for what the bows' fringes do up to 10° from the bows.
 std::vector<WeightedRadius> sample_radii(const TableRequest& request) {
@@ -130,6 +89,17 @@ std::vector<Intensities> phase_of(const CloudScattering& scattering, std::size_t
 }
 
 }  // namespace
+
+void check(const TableRequest& request) {
+    if (!request.sizes) throw InputError("no drop sizes");
+    if (!request.optics.drop || !request.optics.around)
+        throw InputError("no refractive index of the drops, or of what is around them");
+    if (!(request.tolerance > 0.0 && request.tolerance <= 1.0))
+        throw InputError(
+            fmt::format("tolerance {:.6g}; expected above 0, at most 1", request.tolerance));
+    check_wavelengths(request.wavelengths);
+    check_scattering_angles(request.angles);
+}
 
 ScatteringTable make_scattering_table(const TableRequest& request) {
     check(request);

@@ -49,7 +49,10 @@ struct ScatteringTable {
     }
 };
 
-/// Throws InputError for what the model cannot treat.
+/// Throws InputError: what is missing, out of order or out of range in a request.
+void check(const TableRequest& request);
+
+/// Throws InputError as check() and for what the model cannot treat.
 ScatteringTable make_scattering_table(const TableRequest& request);
 
 }  // namespace dewbow
