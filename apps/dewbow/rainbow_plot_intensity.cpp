@@ -19,6 +19,9 @@ constexpr std::size_t kMostWavelengths = 12;
 /// Of the logarithmic axis, below its highest value.
 constexpr double kDeepest = 1e-7;
 constexpr double kWidth = 980.0;
+/// Models beyond so many are dashed: they often lie on others.
+constexpr std::size_t kSolid = 2;
+constexpr const char* kIntensityLabel = "Q_sca P: 4π dσ/dΩ over the drops’ cross section";
 constexpr const char* kAngleLabel = "scattering angle θ (°); the antisolar point is at 180°";
 
 using Value = double (*)(const Intensities&);
@@ -39,17 +42,34 @@ double degree_of_polarisation(const Intensities& p) {
     return (p.perpendicular - p.parallel) / (p.perpendicular + p.parallel);
 }
 
-PlotCurve curve_of(const ScatteringTable& table, std::size_t wavelength, Value value) {
+/// What a curve shows: a value of the phase functions, times Q_sca where models are to be compared
+/// that scatter more or less light in all.
+struct Shown {
+    Value value;
+    bool absolute = true;
+};
+
+PlotCurve curve_of(const ScatteringTable& table, std::size_t wavelength, const Shown& shown) {
     PlotCurve curve;
+    const double scale = shown.absolute ? table.efficiencies[wavelength].scattering : 1.0;
     for (std::size_t i = 0; i < table.angles.size(); ++i)
-        curve.points.push_back({degrees_of(table.angles[i]), value(table.at(i, wavelength))});
+        curve.points.push_back(
+            {degrees_of(table.angles[i]), scale * shown.value(table.at(i, wavelength))});
     curve.width = 1.5;
     return curve;
 }
 
+/// "debye p = 2, 3"
+std::string model_label(const RainbowSetup& setup, const std::string& model) {
+    const Orders orders = setup.request_for(model, {}, {}).orders;
+    std::string text = model;
+    for (const int p : orders) text += fmt::format("{}{}", text == model ? " p = " : ", ", p);
+    return text;
+}
+
 /// One for each model and wavelength.
 std::vector<PlotCurve> curves_of(RainbowTables& tables, const std::vector<Angle>& angles,
-                                 Value value) {
+                                 const Shown& shown) {
     std::vector<PlotCurve> curves;
     for (const std::string& model : tables.setup().models) {
         const ScatteringTable& table = tables.get(model, {kSodium}, angles);
@@ -57,13 +77,15 @@ std::vector<PlotCurve> curves_of(RainbowTables& tables, const std::vector<Angle>
             throw InputError(fmt::format("{} wavelengths in one plot; at most {} are told apart",
                                          table.wavelengths.size(), kMostWavelengths));
         for (std::size_t j = 0; j < table.wavelengths.size(); ++j) {
-            curves.push_back(curve_of(table, j, value));
+            curves.push_back(curve_of(table, j, shown));
             PlotCurve& curve = curves.back();
             curve.colour = plot_colour(curves.size() - 1);
+            curve.dashed = curves.size() > kSolid && tables.setup().models.size() > 1;
             const std::string nm = fmt::format("{:g} nm", table.wavelengths[j].to(unit::nm));
-            curve.label = table.wavelengths.size() == 1       ? model
+            const std::string label = model_label(tables.setup(), model);
+            curve.label = table.wavelengths.size() == 1       ? label
                           : tables.setup().models.size() == 1 ? nm
-                                                              : model + ", " + nm;
+                                                              : label + ", " + nm;
         }
     }
     return curves;
@@ -99,9 +121,9 @@ std::string title_of(const RainbowTables& tables, const ScatteringTable& table) 
     return title;
 }
 
-PlotPanel panel_of(RainbowTables& tables, const std::vector<Angle>& angles, Value value) {
+PlotPanel panel_of(RainbowTables& tables, const std::vector<Angle>& angles, const Shown& shown) {
     PlotPanel panel;
-    panel.curves = curves_of(tables, angles, value);
+    panel.curves = curves_of(tables, angles, shown);
     panel.width = kWidth;
     const ScatteringTable& table = tables.get({kSodium}, angles);
     panel.title = title_of(tables, table);
@@ -113,26 +135,24 @@ PlotPanel panel_of(RainbowTables& tables, const std::vector<Angle>& angles, Valu
 }  // namespace
 
 std::string draw_intensity(RainbowTables& tables, const std::string&) {
-    PlotPanel panel = panel_of(tables, whole_circle(), value_of(tables.setup().polarisation));
+    PlotPanel panel = panel_of(tables, whole_circle(), {value_of(tables.setup().polarisation)});
     const Extremes found = extremes_of(panel.curves, 0.0);
     const double low = std::max(found.low, kDeepest * found.high);
-    panel.y = {"phase function P, mean over the sphere 1",
-               std::pow(10.0, std::floor(std::log10(low))),
+    panel.y = {kIntensityLabel, std::pow(10.0, std::floor(std::log10(low))),
                std::pow(10.0, std::ceil(std::log10(found.high))), true};
     return svg_of({&panel, 1});
 }
 
 std::string draw_intensity_linear(RainbowTables& tables, const std::string&) {
-    PlotPanel panel = panel_of(tables, around_the_bows(), value_of(tables.setup().polarisation));
+    PlotPanel panel = panel_of(tables, around_the_bows(), {value_of(tables.setup().polarisation)});
     const double backward = panel.x.to > 90.0 ? 90.0 : 0.0;  // the forward peak hides all else
-    panel.y = {"phase function P, mean over the sphere 1", 0.0,
-               1.08 * extremes_of(panel.curves, backward).high};
+    panel.y = {kIntensityLabel, 0.0, 1.08 * extremes_of(panel.curves, backward).high};
     return svg_of({&panel, 1});
 }
 
 std::string draw_polarisation(RainbowTables& tables, const std::string&) {
-    PlotPanel panel = panel_of(tables, whole_circle(), degree_of_polarisation);
-    panel.y = {"degree of polarisation (P_⊥ − P_∥) / (P_⊥ + P_∥)", -1.0, 1.0};
+    PlotPanel panel = panel_of(tables, whole_circle(), {degree_of_polarisation, false});
+    panel.y = {"degree of polarisation (P⊥ − P∥) / (P⊥ + P∥)", -1.0, 1.0};
     return svg_of({&panel, 1});
 }
 

@@ -10,7 +10,7 @@ namespace dewbow {
 
 const std::vector<RainbowPlotRow>& rainbow_plots() {
     static const std::vector<RainbowPlotRow> rows{
-        {"intensity", "phase function by angle, logarithmic", {".svg"}, draw_intensity},
+        {"intensity", "what drops send into each direction, logarithmic", {".svg"}, draw_intensity},
         {"intensity-linear", "the same, linear", {".svg"}, draw_intensity_linear},
         {"polarisation", "degree of polarisation by angle", {".svg"}, draw_polarisation},
         {"rays", "rays through the drop, and their deflection", {".svg"}, draw_rays},
@@ -18,6 +18,10 @@ const std::vector<RainbowPlotRow>& rainbow_plots() {
         {"paper", "the rainbows of Musgrave 1989 as strips", {".svg", ".png"}, draw_paper},
         {"errata", "what is wrong in them, measured", {".svg", ".csv"}, draw_errata},
         {"arc", "the bow in the sky, by the sun's altitude", {".svg", ".png"}, draw_arc},
+        {"lee",
+         "colours by angle and drop size, each size as bright as it can be",
+         {".svg", ".png"},
+         draw_lee},
     };
     return rows;
 }

@@ -31,5 +31,6 @@ std::string draw_strip(RainbowTables& tables, const std::string& ending);
 std::string draw_paper(RainbowTables& tables, const std::string& ending);
 std::string draw_errata(RainbowTables& tables, const std::string& ending);
 std::string draw_arc(RainbowTables& tables, const std::string& ending);
+std::string draw_lee(RainbowTables& tables, const std::string& ending);
 
 }  // namespace dewbow

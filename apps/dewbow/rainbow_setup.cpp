@@ -16,6 +16,8 @@ namespace dewbow {
 namespace {
 
 constexpr const char* kModel = "mie";
+/// Knows no orders; beside others that are asked for some it shows what they are parts of.
+constexpr const char* kWhole = "mie";
 constexpr const char* kWater = "water@20C";
 constexpr const char* kAir = "air";
 constexpr const char* kLight = "D65";
@@ -110,6 +112,7 @@ TableRequest RainbowSetup::request_for(const std::string& model,
                                        const std::vector<Angle>& angles) const {
     TableRequest other = request;
     other.model = model;
+    if (models.size() > 1 && model == kWhole) other.orders.clear();
     if (other.wavelengths.empty()) other.wavelengths = wavelengths;
     if (other.angles.empty()) other.angles = angles;
     return other;

@@ -28,7 +28,8 @@ struct RainbowSetup {
     Polarisation polarisation = Polarisation::unpolarised;
     bool cache = true;
 
-    /// `request` by another model, and with these where nobody asked for others.
+    /// `request` by another model, and with these where nobody asked for others. Mie beside other
+    /// models has all orders together.
     TableRequest request_for(const std::string& model, const std::vector<Wavelength>& wavelengths,
                              const std::vector<Angle>& angles) const;
     /// What a file has to say about how it was made.

@@ -55,11 +55,31 @@ Colour<Xyz> BowAround::at(Angle radius, Angle clock, const BowLook& look) const 
 Image8 strip_picture(const BowAround& bow, const BowLook& look, const StripView& view,
                      const DisplaySettings& settings) {
     Image8 image = picture(view.width, view.height);
+    DisplaySettings plain = settings;
+    plain.dither = false;
     for (int x = 0; x < view.width; ++x) {
         const Angle radius = view.left + (x + 0.5) / view.width * (view.right - view.left);
-        const Colour<Xyz> colour = bow.at(radius, view.clock, look);
-        for (int y = 0; y < view.height; ++y)
-            put(image, x, y, srgb8_from_xyz(colour, settings, x, y));
+        const auto rgb = srgb8_from_xyz(bow.at(radius, view.clock, look), plain, x, 0);
+        for (int y = 0; y < view.height; ++y) put(image, x, y, rgb);
+    }
+    return image;
+}
+
+Image8 lee_picture(const std::vector<BowColours>& bows, const PolarisationShares& shares,
+                   const LeeView& view, const Spectrum& white) {
+    Image8 image = picture(view.width, view.height);
+    std::vector<Colour<Xyz>> row(static_cast<std::size_t>(view.width));
+    for (int y = 0; y < view.height; ++y) {
+        const double up = (view.height - y - 0.5) / view.height;
+        const auto i = static_cast<std::size_t>(up * static_cast<double>(bows.size()));
+        for (int x = 0; x < view.width; ++x) {
+            const Angle radius = view.left + (x + 0.5) / view.width * (view.right - view.left);
+            row[std::size_t(x)] = seen(bows[i], 180.0 * unit::deg - radius, shares);
+        }
+        DisplaySettings settings = settings_for(row, white);
+        settings.dither = false;
+        for (int x = 0; x < view.width; ++x)
+            put(image, x, y, srgb8_from_xyz(row[std::size_t(x)], settings, x, y));
     }
     return image;
 }

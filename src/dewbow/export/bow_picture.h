@@ -44,6 +44,7 @@ struct StripView {
     Angle clock{};
     int width = 1040, height = 120;
 };
+/// Without dither: all rows are alike.
 Image8 strip_picture(const BowAround& bow, const BowLook& look, const StripView& view,
                      const DisplaySettings& settings);
 
@@ -58,6 +59,16 @@ struct SkyView {
 };
 Image8 sky_picture(const BowAround& bow, const BowLook& look, const SkyView& view,
                    const DisplaySettings& settings);
+
+/// Bows of many drop sizes, one above the other, in the order given from bottom to top, from `left`
+/// to `right` from the antisolar point. Each row is as bright as it can be. [Lee 1998]
+/// @param bows  at least one.
+struct LeeView {
+    Angle left, right;
+    int width = 480, height = 400;
+};
+Image8 lee_picture(const std::vector<BowColours>& bows, const PolarisationShares& shares,
+                   const LeeView& view, const Spectrum& white);
 
 /// All colours of the bow between two angles from the antisolar point, without a polariser: what
 /// settings_for chooses the exposure by.

@@ -148,5 +148,28 @@ TEST(StripPicture, GoesFromLeftToRight) {
     }
 }
 
+/// The first bow lies at the bottom; a faint one is shown as bright as a strong one.
+TEST(LeePicture, MakesEveryRowAsBrightAsItCanBe) {
+    const SpectrumPtr white = find_illuminant("D65");
+    const auto bow = [&](double brightness, double where) {
+        return bow_colours(table_of([=](double angle, double) {
+                               const double p = std::abs(angle - where) < 0.5 ? brightness : 0.0;
+                               return Intensities{p, p};
+                           }),
+                           *white, *white);
+    };
+    LeeView view;
+    view.left = 32.0 * unit::deg;
+    view.right = 52.0 * unit::deg;
+    view.width = 21;
+    view.height = 4;
+    const Image8 image = lee_picture({bow(1e-6, 138.0), bow(1.0, 140.0)}, {}, view, *white);
+    const auto red = [&](int x, int y) { return int(image.rgb[(std::size_t(y) * 21 + x) * 3]); };
+    for (const int y : {2, 3}) EXPECT_GT(red(10, y), 240) << y;  // 42°: below
+    for (const int y : {0, 1}) EXPECT_GT(red(8, y), 240) << y;   // 40°: above
+    EXPECT_LT(red(10, 0), 5);
+    EXPECT_LT(red(8, 3), 5);
+}
+
 }  // namespace
 }  // namespace dewbow

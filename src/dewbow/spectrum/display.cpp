@@ -124,7 +124,8 @@ std::array<std::uint8_t, 3> srgb8_from_xyz(Colour<Xyz> xyz, const DisplaySetting
     std::array<std::uint8_t, 3> codes{};
     for (std::uint32_t c = 0; c < 3; ++c) {
         const double encoded = std::clamp(srgb_encode(clip_negative(shown)[c]), 0.0, 1.0);
-        codes[c] = dithered_code(encoded, dither_numbers(x, y, c));
+        codes[c] = settings.dither ? dithered_code(encoded, dither_numbers(x, y, c))
+                                   : std::uint8_t(std::lround(255.0 * encoded));
     }
     return codes;
 }

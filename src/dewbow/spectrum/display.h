@@ -36,6 +36,8 @@ struct DisplaySettings {
     /// Chromaticity that is to look white; the default leaves D65 white.
     std::array<double, 2> white{0.3127, 0.3290};
     GamutMapping gamut = GamutMapping::towards_white;
+    bool dither =
+        true;  ///< else code values are rounded: smaller files, and steps in dark gradients
 };
 
 /// 8-bit sRGB of a pixel. A colour with a channel above 1 is desaturated towards white at constant

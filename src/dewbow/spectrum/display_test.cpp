@@ -125,6 +125,16 @@ TEST(Srgb8, DitherIsTheSameEachTimeAndDiffersBetweenPixels) {
     for (const auto& codes : seen) EXPECT_NEAR(codes[0], 255.0 * srgb_encode(0.2), 1.5);
 }
 
+TEST(Srgb8, RoundsWithoutDither) {
+    DisplaySettings settings;
+    settings.dither = false;
+    for (const double code : {0.0, 0.4, 0.6, 99.6, 128.4, 254.6, 255.0})
+        for (int x = 0; x < 5; ++x)
+            for (const std::uint8_t channel :
+                 srgb8_from_xyz(grey(srgb_decode(code / 255.0)), settings, x, 3))
+                EXPECT_EQ(channel, std::lround(code));
+}
+
 TEST(Srgb8, ExposureCountsInStops) {
     const auto brighter = mean_codes(grey(0.1), {.exposure_stops = 2.0});
     EXPECT_NEAR(brighter[1], 255.0 * srgb_encode(0.4), kFieldError);
