@@ -124,8 +124,9 @@ void RainbowCommandLine::add_drops() {
     add_option(*rainbow_, "--sizes", sizes_, "How many drops there are of each size",
                "KIND:NUMBERS");
     add_option(*rainbow_, "--water", water_,
-               "What the drops are of. Default: water@20C; also any glass or FILE.agf#NAME",
-               "water@10C");
+               "What the drops are of: water or sea-water with temperature (and salt in g/kg), or any "
+               "glass. Default: water@20C",
+               "water@10C|sea-water@20C,35");
     add_option(*rainbow_, "--air", air_, "What is around the drops. Default: air", "air|vacuum");
     add_option(*rainbow_, "--index", index_,
                "Index against what is around, instead of --water and --air", "1.333|1.33+1e-8i");
@@ -203,9 +204,9 @@ void RainbowCommandLine::check_paper() const {
 void RainbowCommandLine::read_drops(Storm& storm) const {
     if (int(radius_.has_value()) + sizes_.has_value() + size_parameter_.has_value() > 1)
         throw UsageError("--radius, --sizes and --size-parameter contradict each other; keep one");
-    if (index_ && (water_ || air_ || salinity_))
+    if (index_ && (water_ || air_))
         throw UsageError(
-            "--index takes the place of --water, --salinity and --air; keep one or the others");
+            "--index takes the place of --water and --air; keep one or the others");
     if (radius_) storm.sizes = single_drop_size(parse_drop_radius("--radius", *radius_));
     if (sizes_) storm.sizes = of_option("--sizes", [&] { return parse_drop_sizes(*sizes_); });
     if (shape_)
@@ -216,8 +217,6 @@ void RainbowCommandLine::read_drops(Storm& storm) const {
     };
     storm.water = glass("--water", water_);
     storm.air = glass("--air", air_);
-    if (salinity_)
-        storm.salinity_g_kg = parse_in_range("--salinity", *salinity_, kSalinities_g_kg, "g/kg");
     if (index_) storm.index = parse_drop_index("--index", *index_);
 }
 

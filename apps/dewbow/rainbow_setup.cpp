@@ -15,7 +15,7 @@
 namespace dewbow {
 namespace {
 
-constexpr const char* kModel = "mie";
+constexpr const char* kModel = "auto";
 /// Knows no orders; beside others that are asked for some it shows what they are parts of.
 constexpr const char* kWhole = "mie";
 constexpr const char* kWater = "water@20C";

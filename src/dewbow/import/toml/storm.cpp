@@ -202,11 +202,8 @@ const std::vector<std::string>& drop_shape_names() {
 Storm with_above(Storm storm, const Storm& above) {
     if (above.sizes) storm.sizes = above.sizes;
     if (above.illuminant) storm.illuminant = above.illuminant;
-    if (above.index) {
-        storm.water = storm.air = std::nullopt;
-        storm.salinity_g_kg = std::nullopt;
-    }
-    if (above.water || above.air || above.salinity_g_kg) storm.index = std::nullopt;
+    if (above.index) storm.water = storm.air = std::nullopt;
+    if (above.water || above.air) storm.index = std::nullopt;
     put_above(storm.models, above.models);
     put_above(storm.orders, above.orders);
     put_above(storm.tolerance, above.tolerance);
@@ -214,7 +211,6 @@ Storm with_above(Storm storm, const Storm& above) {
     put_above(storm.shape, above.shape);
     put_above(storm.water, above.water);
     put_above(storm.air, above.air);
-    put_above(storm.salinity_g_kg, above.salinity_g_kg);
     put_above(storm.index, above.index);
     put_above(storm.sun_altitude, above.sun_altitude);
     put_above(storm.sun_radius, above.sun_radius);

@@ -36,7 +36,6 @@ struct Storm {
     DropSizesPtr sizes;
     std::optional<DropShape> shape;
     std::optional<Glass> water, air;
-    std::optional<double> salinity_g_kg;
     std::optional<ComplexIndex> index;  ///< against what is around the drops
 
     // The sun.
@@ -70,7 +69,6 @@ std::vector<double> stepped(double from, double to, double step);
 // What each of these takes, in files and as options.
 inline constexpr Range kDropRadii_mm{kLeastDropRadius.to(unit::mm), kMostDropRadius.to(unit::mm)};
 inline constexpr Range kTolerances{1e-4, 0.5};
-inline constexpr Range kSalinities_g_kg{0.0, 100.0};
 inline constexpr Range kSunAltitudes_deg{0.0, 90.0};
 inline constexpr Range kSunRadii_deg{0.0, 5.0};
 inline constexpr Range kRainbowWavelengths_nm{100.0, 20000.0};
