@@ -4,11 +4,32 @@
 #include "rainbow_degrees.h"
 
 namespace dewbow {
+namespace {
+
+/// Where the bow of flattened drops is computed; between, colours are mixed. From one to the next a
+/// drop of 1 mm moves it by at most 0.15°.
+constexpr double kClockStep_deg = 5.0, kLastClock_deg = 120.0;
+
+}  // namespace
 
 BowAround bow_of(RainbowTables& tables, const std::vector<Angle>& angles) {
     const RainbowSetup& setup = tables.setup();
     const ScatteringTable& table = tables.get(visible_wavelengths(), angles);
     return {{Angle{}}, {bow_colours(table, *setup.light, *setup.white)}};
+}
+
+BowAround bow_all_around(RainbowTables& tables, const std::vector<Angle>& angles) {
+    const RainbowSetup& setup = tables.setup();
+    if (!setup.request.falling) return bow_of(tables, angles);
+    BowAround bow;
+    TableRequest request = setup.request_for(setup.models.front(), visible_wavelengths(), angles);
+    for (const double degrees : stepped(0.0, kLastClock_deg, kClockStep_deg)) {
+        request.falling->place.clock = degrees * unit::deg;
+        bow.clocks.push_back(request.falling->place.clock);
+        bow.colours.push_back(
+            bow_colours(make_scattering_table(request), *setup.light, *setup.white));
+    }
+    return bow;
 }
 
 BowLook look_of(const RainbowSetup& setup) {

@@ -8,8 +8,11 @@
 
 namespace dewbow {
 
-/// Its colours around the antisolar point, at the angles that were asked for, or else these.
+/// Its colours under the clock angle that was asked for, at the angles that were asked for, or else
+/// these.
 BowAround bow_of(RainbowTables& tables, const std::vector<Angle>& angles);
+/// The same under all clock angles, where they differ.
+BowAround bow_all_around(RainbowTables& tables, const std::vector<Angle>& angles);
 BowLook look_of(const RainbowSetup& setup);
 /// Exposed for what lies between these angles from the antisolar point, without a polariser, so
 /// that pictures through one can be compared.

@@ -123,10 +123,18 @@ void RainbowCommandLine::add_drops() {
                "0.3mm");
     add_option(*rainbow_, "--sizes", sizes_, "How many drops there are of each size",
                "KIND:NUMBERS");
-    add_option(*rainbow_, "--water", water_,
-               "What the drops are of: water or sea-water with temperature (and salt in g/kg), or any "
-               "glass. Default: water@20C",
-               "water@10C|sea-water@20C,35");
+    add_option(*rainbow_, "--shape", shape_, "Of the drops; those that fall are flattened",
+               alternatives(drop_shape_names()));
+    add_option(*rainbow_, "--oscillation", oscillation_,
+               "Of flattened drops: standard deviation of the flattening over itself. Default: 0",
+               "0.2");
+    add_option(*rainbow_, "--tilt", tilt_,
+               "Of flattened drops: standard deviation of the axis, degrees. Default: 0", "DEG");
+    add_option(
+        *rainbow_, "--water", water_,
+        "What the drops are of: water or sea-water with temperature (and salt in g/kg), or any "
+        "glass. Default: water@20C",
+        "water@10C|sea-water@20C,35");
     add_option(*rainbow_, "--air", air_, "What is around the drops. Default: air", "air|vacuum");
     add_option(*rainbow_, "--index", index_,
                "Index against what is around, instead of --water and --air", "1.333|1.33+1e-8i");
@@ -144,6 +152,10 @@ void RainbowCommandLine::add_sun() {
     add_flag(*rainbow_, "--point-sun", point_sun_, "A sun without extent");
     add_option(*rainbow_, "--limb-darkening", limb_darkening_,
                "u of the disc's brightness 1 - u (1 - mu). Default: 0", "0.6");
+    add_flag(*rainbow_, "--redden", reddened_,
+             "Let the sun shine through as much clear air as its altitude stands for");
+    add_option(*rainbow_, "--haze", haze_,
+               "Of that air: optical depth at 500 nm straight up. Default: 0.1", "0.1");
     add_option(*rainbow_, "--illuminant", illuminant_,
                "The light, which is white in pictures. Default: D65", "NAME");
 }
@@ -157,6 +169,8 @@ void RainbowCommandLine::add_view() {
                alternatives(polarisation_names()));
     add_option(*rainbow_, "--polariser", polariser_,
                "Look through a polariser with its axis so many degrees from the vertical", "DEG");
+    add_option(*rainbow_, "--clock-angle", clock_angle_,
+               "Where on the bow, degrees from its top. Default: 0", "DEG");
 }
 
 void RainbowCommandLine::add_output() {
@@ -205,12 +219,16 @@ void RainbowCommandLine::read_drops(Storm& storm) const {
     if (int(radius_.has_value()) + sizes_.has_value() + size_parameter_.has_value() > 1)
         throw UsageError("--radius, --sizes and --size-parameter contradict each other; keep one");
     if (index_ && (water_ || air_))
-        throw UsageError(
-            "--index takes the place of --water and --air; keep one or the others");
+        throw UsageError("--index takes the place of --water and --air; keep one or the others");
     if (radius_) storm.sizes = single_drop_size(parse_drop_radius("--radius", *radius_));
     if (sizes_) storm.sizes = of_option("--sizes", [&] { return parse_drop_sizes(*sizes_); });
     if (shape_)
         storm.shape = static_cast<DropShape>(parse_word("--shape", *shape_, drop_shape_names()));
+    if ((oscillation_ || tilt_) && storm.shape == DropShape::sphere)
+        throw UsageError("--oscillation and --tilt are of drops with --shape oblate");
+    if (oscillation_)
+        storm.oscillation = parse_in_range("--oscillation", *oscillation_, kOscillations);
+    if (tilt_) storm.tilt = parse_in_range("--tilt", *tilt_, kTilts_deg, "deg") * unit::deg;
     const auto glass = [](const char* option, const Text& name) {
         return name ? std::optional(of_option(option, [&] { return glass_named(*name); }))
                     : std::nullopt;
@@ -234,6 +252,7 @@ void RainbowCommandLine::read_sun(Storm& storm) const {
     if (limb_darkening_)
         storm.limb_darkening = parse_in_range("--limb-darkening", *limb_darkening_, kShareRange);
     if (reddened_) storm.reddened = true;
+    if (haze_) storm.haze = parse_in_range("--haze", *haze_, kHazes);
     if (illuminant_)
         storm.illuminant = of_option("--illuminant", [&] { return &find_lamp(*illuminant_); });
 }

@@ -35,7 +35,7 @@ SkyView view_of(Angle sun_altitude) {
 
 std::string draw_arc(RainbowTables& tables, const std::string& ending) {
     const RainbowSetup& setup = tables.setup();
-    const BowAround bow = bow_of(tables, half_the_sky());
+    const BowAround bow = bow_all_around(tables, half_the_sky());
     const SkyView view = view_of(setup.sun_altitude);
     const DisplaySettings settings = display_of(bow, kExposedFrom, kExposedTo, setup);
     const Image8 image = sky_picture(bow, look_of(setup), view, settings);
@@ -44,8 +44,8 @@ std::string draw_arc(RainbowTables& tables, const std::string& ending) {
 
     const double half = degrees_of(kHalfWidth), top = degrees_of(kTop);
     PlotPanel panel;
-    panel.title = fmt::format("{}, {}, sun {:g}° high", setup.request.sizes->describe(),
-                              setup.models.front(), degrees_of(setup.sun_altitude));
+    panel.title = fmt::format("{}, {}, sun {:g}° high", setup.drops, setup.models.front(),
+                              degrees_of(setup.sun_altitude));
     panel.x = {"angle from the antisolar point (°)", -half, half};
     panel.y = {"(°)", top - 2.0 * half * view.height / view.width, top};
     panel.picture = PlotPicture{png, panel.x.from, panel.x.to, panel.y.from, panel.y.to};

@@ -108,7 +108,7 @@ Extremes extremes_of(const std::vector<PlotCurve>& curves, double from) {
 
 std::string title_of(const RainbowTables& tables, const ScatteringTable& table) {
     const RainbowSetup& setup = tables.setup();
-    std::string title = setup.request.sizes->describe();
+    std::string title = setup.drops;
     if (table.wavelengths.size() == 1) {
         const Wavelength lambda = table.wavelengths.front();
         title += fmt::format(", {:g} nm, n = {:.5g}", lambda.to(unit::nm),

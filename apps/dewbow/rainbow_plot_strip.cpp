@@ -17,7 +17,7 @@ namespace {
 constexpr double kPanelHeight = 230.0;
 
 std::string title_of(const RainbowSetup& setup) {
-    return fmt::format("{}, {}", setup.request.sizes->describe(), setup.models.front());
+    return fmt::format("{}, {}", setup.drops, setup.models.front());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/optics/catalogue.h"
 #include "dewbow/rainbow/models.h"
+#include "dewbow/sky/direct_sun.h"
 #include "dewbow/spectrum/lamp.h"
 #include "rainbow_degrees.h"
 
@@ -69,6 +70,22 @@ DropSizesPtr sizes_of(const RainbowCommand& command, const Storm& storm, const D
     return storm.sizes ? storm.sizes : single_drop_size(kRadius);
 }
 
+ClearSky sky_of(const Storm& storm) {
+    ClearSky sky;
+    sky.aerosol_depth_500nm = storm.haze.value_or(sky.aerosol_depth_500nm);
+    return sky;
+}
+
+std::optional<FallingShape> falling_of(const Storm& storm, Angle sun_altitude) {
+    if (storm.shape != DropShape::oblate) {
+        if (storm.oscillation || storm.tilt)
+            throw UsageError("oscillation and tilt are of flattened drops", "add --shape oblate");
+        return std::nullopt;
+    }
+    return FallingShape{{storm.oscillation.value_or(0.0), storm.tilt.value_or(Angle{})},
+                        {sun_altitude, storm.clock_angle.value_or(Angle{})}};
+}
+
 std::string shown(const std::vector<int>& orders) {
     if (orders.empty()) return "all";
     std::string text;
@@ -102,7 +119,14 @@ RainbowSetup set_up(const RainbowCommand& command) {
     setup.light_name = lamp.name;
     setup.white = setup.light = lamp.spectrum;
     setup.sun_altitude = storm.sun_altitude.value_or(kSunAltitude);
+    if (storm.reddened.value_or(false))
+        setup.light = make_direct_sunlight(setup.white, setup.sun_altitude, sky_of(storm));
+    else if (storm.haze)
+        throw UsageError("haze counts where the sun is reddened", "add --redden");
+    setup.request.falling = falling_of(storm, setup.sun_altitude);
     setup.polarisation = storm.polarisation.value_or(Polarisation::unpolarised);
+    setup.drops = command.size_parameter ? fmt::format("x = {:g}", *command.size_parameter)
+                                         : request.sizes->describe();
     setup.cache = command.cache;
     return setup;
 }
@@ -135,6 +159,13 @@ Attributes RainbowSetup::facts() const {
     } else {
         facts.push_back({"dewbow:water", storm.water ? storm.water->name : kWater});
         facts.push_back({"dewbow:air", storm.air ? storm.air->name : kAir});
+    }
+    if (request.falling) {
+        facts.push_back({"dewbow:dropShape", "oblate"});
+        facts.push_back({"dewbow:dropOscillation", request.falling->spread.oscillation});
+        facts.push_back({"dewbow:dropTiltDegrees", degrees_of(request.falling->spread.tilt)});
+        facts.push_back({"dewbow:sunAltitudeDegrees", degrees_of(sun_altitude)});
+        facts.push_back({"dewbow:clockAngleDegrees", degrees_of(request.falling->place.clock)});
     }
     if (request.model == "auto") facts.push_back({"dewbow:tolerance", request.tolerance});
     return facts;

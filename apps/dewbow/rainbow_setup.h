@@ -21,6 +21,7 @@ struct RainbowSetup {
     Storm storm;                      ///< file and options together
     std::vector<std::string> models;  ///< at least one
     TableRequest request;  ///< of the first model; wavelengths and angles as asked for, or empty
+    std::string drops;     ///< in a few words
     std::string light_name;
     SpectrumPtr white;  ///< what looks white
     SpectrumPtr light;  ///< what reaches the drops; differs from `white` where air reddens it

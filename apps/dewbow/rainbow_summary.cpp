@@ -87,10 +87,10 @@ std::string summary_text(RainbowTables& tables) {
     const DropOptics& optics = setup.request.optics;
     const Wavelength lambda = table.wavelengths.front();
     const Efficiencies& q = table.efficiencies.front();
-    std::string text = fmt::format(
-        "drops {}, n = {:.5f} at {:g} nm; sun {:g}° high, its disc {:.4g}° in radius\n",
-        setup.request.sizes->describe(), optics.index(lambda).value, lambda.to(unit::nm),
-        degrees_of(setup.sun_altitude), degrees_of(setup.request.disc.radius));
+    std::string text =
+        fmt::format("drops {}, n = {:.5f} at {:g} nm; sun {:g}° high, its disc {:.4g}° in radius\n",
+                    setup.drops, optics.index(lambda).value, lambda.to(unit::nm),
+                    degrees_of(setup.sun_altitude), degrees_of(setup.request.disc.radius));
     text += fmt::format("model {}: Q_ext {:.6g}, Q_sca {:.6g}, g {:.6g}\n", setup.models.front(),
                         q.extinction, q.scattering, q.asymmetry);
     if (!table.report.empty()) text += table.report + "\n";

@@ -51,6 +51,7 @@ TEST(RainbowWrongInput, Drops) {
         {{"--index", "1.3", "--water", "water"}, kWrongUse, {"keep one or the others"}},
         {{"--water", "watr"}, kWrongUse, {"--water: unknown glass \"watr\"", "fluid/water"}},
         {{"--water", "gone.agf#A"}, kWrongInput, {"gone.agf: cannot read"}},
+        {{"--tilt", "3"}, kWrongUse, {"flattened drops", "--shape oblate"}},
         {{"--air", "water"}, kWrongInput, {"have the index 0.9", "above 1"}},
         {{"--water", "vacuum"}, kWrongInput, {"have the index 0.9", "above 1"}},
     });
@@ -68,6 +69,7 @@ TEST(RainbowWrongInput, LightAndAngles) {
         {{"--angles", "0:180:1e-9"}, kWrongUse, {"at most 100000 steps"}},
         {{"--angles", "30", "--plot", "intensity=a.svg"}, kWrongInput, {"two angles or more"}},
         {{"--illuminant", "D66"}, kWrongUse, {"--illuminant: unknown lamp \"D66\""}},
+        {{"--haze", "0.2"}, kWrongUse, {"haze counts where the sun is reddened", "--redden"}},
         {{"--point-sun", "--sun-radius", "1"}, kWrongUse, {"--point-sun contradicts"}},
         {{"--sun-altitude", "95"}, kWrongUse, {"--sun-altitude is 95", "between 0 and 90 deg"}},
         {{"--polarisation", "parallel", "--polariser", "0"}, kWrongUse, {"contradict"}},

@@ -117,6 +117,11 @@ private:
             return glass_or_file(name, std::filesystem::path(document_.file).parent_path());
         });
     }
+    std::optional<bool> boolean(std::string_view key) {
+        const TomlValue* value = table_.find(key);
+        if (!value) return std::nullopt;
+        return read_boolean(document_, *value, key);
+    }
     std::optional<Angle> angle(std::string_view key, const Range& range) {
         const auto degrees = table_.find_number(key, range);
         if (!degrees) return std::nullopt;
@@ -149,6 +154,9 @@ private:
             storm_.sizes = single_drop_size(*micrometres * unit::um);
         if (const TomlValue* value = table_.find("drop_sizes"))
             storm_.sizes = named(*value, "drop_sizes", parse_drop_sizes);
+        storm_.shape = word<DropShape>("drop_shape", drop_shape_names());
+        storm_.oscillation = table_.find_number("drop_oscillation", kOscillations);
+        storm_.tilt = angle("drop_tilt_deg", kTilts_deg);
         storm_.water = glass("water");
         storm_.air = glass("air");
         if (const TomlValue* value = table_.find("index"))
@@ -162,6 +170,8 @@ private:
         storm_.sun_altitude = angle("sun_altitude_deg", kSunAltitudes_deg);
         storm_.sun_radius = angle("sun_radius_deg", kSunRadii_deg);
         storm_.limb_darkening = table_.find_number("limb_darkening", kShareRange);
+        storm_.reddened = boolean("sun_reddened");
+        storm_.haze = table_.find_number("haze_depth", kHazes);
     }
 
     void read_view() {
@@ -171,6 +181,7 @@ private:
             storm_.angles.push_back(degrees * unit::deg);
         storm_.polarisation = word<Polarisation>("polarisation", polarisation_names());
         storm_.polariser = angle("polariser_deg", kPolariserAngles_deg);
+        storm_.clock_angle = angle("clock_angle_deg", kClockAngles_deg);
     }
 
     const TomlDocument& document_;
@@ -209,6 +220,8 @@ Storm with_above(Storm storm, const Storm& above) {
     put_above(storm.tolerance, above.tolerance);
     put_above(storm.paper, above.paper);
     put_above(storm.shape, above.shape);
+    put_above(storm.oscillation, above.oscillation);
+    put_above(storm.tilt, above.tilt);
     put_above(storm.water, above.water);
     put_above(storm.air, above.air);
     put_above(storm.index, above.index);
@@ -216,6 +229,7 @@ Storm with_above(Storm storm, const Storm& above) {
     put_above(storm.sun_radius, above.sun_radius);
     put_above(storm.limb_darkening, above.limb_darkening);
     put_above(storm.reddened, above.reddened);
+    put_above(storm.haze, above.haze);
     put_above(storm.wavelengths, above.wavelengths);
     put_above(storm.angles, above.angles);
     put_above(storm.polarisation, above.polarisation);

@@ -35,6 +35,8 @@ struct Storm {
     // The drops: of water in air, or of an index.
     DropSizesPtr sizes;
     std::optional<DropShape> shape;
+    std::optional<double> oscillation;  ///< of flattened drops, as ShapeSpread
+    std::optional<Angle> tilt;
     std::optional<Glass> water, air;
     std::optional<ComplexIndex> index;  ///< against what is around the drops
 
@@ -43,6 +45,7 @@ struct Storm {
     std::optional<Angle> sun_altitude, sun_radius;
     std::optional<double> limb_darkening;
     std::optional<bool> reddened;  ///< by the air that a low sun shines through
+    std::optional<double> haze;    ///< optical depth of that air's aerosol at 500 nm
 
     // What is looked at.
     std::vector<Wavelength> wavelengths;  ///< in vacuum, ascending
@@ -68,6 +71,9 @@ std::vector<double> stepped(double from, double to, double step);
 
 // What each of these takes, in files and as options.
 inline constexpr Range kDropRadii_mm{kLeastDropRadius.to(unit::mm), kMostDropRadius.to(unit::mm)};
+inline constexpr Range kOscillations{0.0, 1.0};
+inline constexpr Range kTilts_deg{0.0, 30.0};
+inline constexpr Range kHazes{0.0, 5.0};
 inline constexpr Range kTolerances{1e-4, 0.5};
 inline constexpr Range kSunAltitudes_deg{0.0, 90.0};
 inline constexpr Range kSunRadii_deg{0.0, 5.0};

@@ -22,16 +22,22 @@ model = ["mie", "descartes"]
 orders = [2, 3]
 tolerance = 0.01
 drop_radius_um = 300
+drop_shape = "oblate"
+drop_oscillation = 0.2
+drop_tilt_deg = 3
 water = "water@10C"
 air = "vacuum"
 illuminant = "A"
 sun_altitude_deg = 5
 sun_radius_deg = 0.25
 limb_darkening = 0.6
+sun_reddened = true
+haze_depth = 0.2
 wavelengths_nm = { from = 400, to = 700, step = 100 }
 angles_deg = [0, 60, 137.5]
 polarisation = "parallel"
 polariser_deg = 90
+clock_angle_deg = -45
 )");
     EXPECT_EQ(storm.models, (std::vector<std::string>{"mie", "descartes"}));
     EXPECT_EQ(storm.orders, (Orders{2, 3}));
@@ -43,6 +49,12 @@ polariser_deg = 90
     EXPECT_NEAR(storm.sun_altitude->to(unit::deg), 5.0, kRounding);
     EXPECT_NEAR(storm.sun_radius->to(unit::deg), 0.25, kRounding);
     EXPECT_EQ(storm.limb_darkening, 0.6);
+    EXPECT_EQ(storm.reddened, true);
+    EXPECT_EQ(storm.haze, 0.2);
+    EXPECT_EQ(storm.shape, DropShape::oblate);
+    EXPECT_EQ(storm.oscillation, 0.2);
+    EXPECT_NEAR(storm.tilt->to(unit::deg), 3.0, kRounding);
+    EXPECT_NEAR(storm.clock_angle->to(unit::deg), -45.0, kRounding);
     ASSERT_EQ(storm.wavelengths.size(), 4u);
     EXPECT_EQ(storm.wavelengths.back(), 700.0 * unit::nm);
     ASSERT_EQ(storm.angles.size(), 3u);
