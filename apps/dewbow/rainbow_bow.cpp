@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rainbow_bow.h"
 
+#include "dewbow/sky/direct_sun.h"
 #include "rainbow_degrees.h"
 
 namespace dewbow {
@@ -26,8 +27,7 @@ BowAround bow_all_around(RainbowTables& tables, const std::vector<Angle>& angles
     for (const double degrees : stepped(0.0, kLastClock_deg, kClockStep_deg)) {
         request.falling->place.clock = degrees * unit::deg;
         bow.clocks.push_back(request.falling->place.clock);
-        bow.colours.push_back(
-            bow_colours(make_scattering_table(request), *setup.light, *setup.white));
+        bow.colours.push_back(bow_colours(setup.table_of(request), *setup.light, *setup.white));
     }
     return bow;
 }
@@ -47,7 +47,13 @@ DisplaySettings display_of(const BowAround& bow, Angle from, Angle to, const Rai
 Attributes picture_facts(const RainbowSetup& setup, const DisplaySettings& settings) {
     Attributes facts = setup.facts();
     facts.push_back({"dewbow:illuminant", setup.light_name});
-    facts.push_back({"dewbow:sunAltitudeDegrees", degrees_of(setup.sun_altitude)});
+    if (!setup.request.falling)  // else it is there
+        facts.push_back({"dewbow:sunAltitudeDegrees", degrees_of(setup.sun_altitude)});
+    if (setup.light != setup.white) {
+        facts.push_back({"dewbow:sunReddened", std::string("yes")});
+        facts.push_back(
+            {"dewbow:hazeDepth", setup.storm.haze.value_or(ClearSky{}.aerosol_depth_500nm)});
+    }
     if (setup.storm.polariser)
         facts.push_back({"dewbow:polariserDegrees", degrees_of(*setup.storm.polariser)});
     facts.push_back({"dewbow:exposureStops", settings.exposure_stops});

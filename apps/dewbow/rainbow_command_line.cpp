@@ -121,8 +121,10 @@ void RainbowCommandLine::add_model() {
 void RainbowCommandLine::add_drops() {
     add_option(*rainbow_, "--radius", radius_, "All drops have this radius. Default: 0.5mm",
                "0.3mm");
-    add_option(*rainbow_, "--sizes", sizes_, "How many drops there are of each size",
-               "KIND:NUMBERS");
+    add_repeatable(*rainbow_, "--sizes", sizes_,
+                   "How many drops there are of each size, such as normal:mean=0.5mm,width=10% or "
+                   "rain:marshall-palmer,rate=5mm/h; repeatable: showers of equal cross section",
+                   "KIND:NUMBERS");
     add_option(*rainbow_, "--shape", shape_, "Of the drops; those that fall are flattened",
                alternatives(drop_shape_names()));
     add_option(*rainbow_, "--oscillation", oscillation_,
@@ -216,12 +218,13 @@ void RainbowCommandLine::check_paper() const {
 }
 
 void RainbowCommandLine::read_drops(Storm& storm) const {
-    if (int(radius_.has_value()) + sizes_.has_value() + size_parameter_.has_value() > 1)
+    if (int(radius_.has_value()) + !sizes_.empty() + size_parameter_.has_value() > 1)
         throw UsageError("--radius, --sizes and --size-parameter contradict each other; keep one");
     if (index_ && (water_ || air_))
         throw UsageError("--index takes the place of --water and --air; keep one or the others");
-    if (radius_) storm.sizes = single_drop_size(parse_drop_radius("--radius", *radius_));
-    if (sizes_) storm.sizes = of_option("--sizes", [&] { return parse_drop_sizes(*sizes_); });
+    if (radius_) storm.sizes = {single_drop_size(parse_drop_radius("--radius", *radius_))};
+    for (const std::string& text : sizes_)
+        storm.sizes.push_back(of_option("--sizes", [&] { return parse_drop_sizes(text); }));
     if (shape_)
         storm.shape = static_cast<DropShape>(parse_word("--shape", *shape_, drop_shape_names()));
     if ((oscillation_ || tilt_) && storm.shape == DropShape::sphere)

@@ -37,11 +37,10 @@ private:
 
     using Text = std::optional<std::string>;
     CLI::App* rainbow_ = nullptr;
-    Text storm_, radius_, sizes_, shape_, water_, air_, oscillation_, tilt_, haze_, index_,
-        size_parameter_;
+    Text storm_, radius_, shape_, water_, air_, oscillation_, tilt_, haze_, index_, size_parameter_;
     Text tolerance_, illuminant_, sun_altitude_, sun_radius_, limb_darkening_;
     Text wavelengths_, angles_, polarisation_, polariser_, clock_angle_, threads_;
-    std::vector<std::string> models_, orders_, outputs_, plots_;
+    std::vector<std::string> models_, orders_, sizes_, outputs_, plots_;
     bool paper_ = false, point_sun_ = false, reddened_ = false, amplitudes_ = false;
     bool no_cache_ = false, quiet_ = false, json_ = false, self_test_ = false;
 };

@@ -31,11 +31,15 @@ SkyView view_of(Angle sun_altitude) {
     return view;
 }
 
+/// What lies nearer to the antisolar point than the horizon is not seen; there the glory costs
+/// most.
+Angle nearest_seen(Angle sun_altitude) { return std::min(sun_altitude, kExposedFrom); }
+
 }  // namespace
 
 std::string draw_arc(RainbowTables& tables, const std::string& ending) {
     const RainbowSetup& setup = tables.setup();
-    const BowAround bow = bow_all_around(tables, half_the_sky());
+    const BowAround bow = bow_all_around(tables, half_the_sky(nearest_seen(setup.sun_altitude)));
     const SkyView view = view_of(setup.sun_altitude);
     const DisplaySettings settings = display_of(bow, kExposedFrom, kExposedTo, setup);
     const Image8 image = sky_picture(bow, look_of(setup), view, settings);

@@ -60,7 +60,7 @@ Image8 side_by_side(const std::vector<Image8>& images) {
 
 std::string draw_lee(RainbowTables& tables, const std::string& ending) {
     const RainbowSetup& setup = tables.setup();
-    if (setup.storm.sizes)
+    if (!setup.storm.sizes.empty())
         throw InputError("a Lee diagram shows drops of 10 µm to 1 mm; no radius or sizes count");
     std::vector<Part> parts(std::begin(kParts), std::end(kParts));
     const std::vector<Angle>& asked = setup.request.angles;

@@ -8,6 +8,7 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/optics/catalogue.h"
+#include "dewbow/rainbow/mixed_table.h"
 #include "dewbow/rainbow/models.h"
 #include "dewbow/sky/direct_sun.h"
 #include "dewbow/spectrum/lamp.h"
@@ -64,10 +65,20 @@ Length radius_of(double size_parameter, const Storm& storm, const DropOptics& op
     return size_parameter / optics.size_parameter(1.0 * unit::m, lambda) * unit::m;
 }
 
-DropSizesPtr sizes_of(const RainbowCommand& command, const Storm& storm, const DropOptics& optics) {
+std::vector<DropSizesPtr> showers_of(const RainbowCommand& command, const Storm& storm,
+                                     const DropOptics& optics) {
     if (command.size_parameter)
-        return single_drop_size(radius_of(*command.size_parameter, storm, optics));
-    return storm.sizes ? storm.sizes : single_drop_size(kRadius);
+        return {single_drop_size(radius_of(*command.size_parameter, storm, optics))};
+    if (storm.sizes.empty()) return {single_drop_size(kRadius)};
+    return storm.sizes;
+}
+
+/// "0.3mm + 1mm"
+std::string described(const std::vector<DropSizesPtr>& showers) {
+    std::string text;
+    for (const DropSizesPtr& sizes : showers)
+        text += (text.empty() ? "" : " + ") + sizes->describe();
+    return text;
 }
 
 ClearSky sky_of(const Storm& storm) {
@@ -110,7 +121,8 @@ RainbowSetup set_up(const RainbowCommand& command) {
     request.orders = storm.orders;
     request.tolerance = storm.tolerance.value_or(request.tolerance);
     request.optics = optics_of(storm);
-    request.sizes = sizes_of(command, storm, request.optics);
+    setup.showers = showers_of(command, storm, request.optics);
+    request.sizes = setup.showers.front();
     request.wavelengths = storm.wavelengths;
     request.angles = storm.angles;
     request.disc.radius = storm.sun_radius.value_or(kSunRadius);
@@ -126,7 +138,7 @@ RainbowSetup set_up(const RainbowCommand& command) {
     setup.request.falling = falling_of(storm, setup.sun_altitude);
     setup.polarisation = storm.polarisation.value_or(Polarisation::unpolarised);
     setup.drops = command.size_parameter ? fmt::format("x = {:g}", *command.size_parameter)
-                                         : request.sizes->describe();
+                                         : described(setup.showers);
     setup.cache = command.cache;
     return setup;
 }
@@ -142,13 +154,22 @@ TableRequest RainbowSetup::request_for(const std::string& model,
     return other;
 }
 
+ScatteringTable RainbowSetup::table_of(TableRequest wanted) const {
+    std::vector<ScatteringTable> tables;
+    for (const DropSizesPtr& sizes : showers) {
+        wanted.sizes = sizes;
+        tables.push_back(make_scattering_table(wanted));
+    }
+    return tables.size() == 1 ? std::move(tables.front()) : mixed_evenly(tables);
+}
+
 Attributes RainbowSetup::facts() const {
     const SunDisc& disc = request.disc;
     Attributes facts{
         {"dewbow:version", DEWBOW_VERSION},
         {"dewbow:model", request.model},
         {"dewbow:orders", shown(request.orders)},
-        {"dewbow:drops", request.sizes->describe()},
+        {"dewbow:drops", described(showers)},
         {"dewbow:indexAt589nm", request.optics.index(kSodium).value},
         {"dewbow:sunRadiusDegrees", degrees_of(disc.radius)},
         {"dewbow:limbDarkening", disc.limb_darkening},

@@ -20,8 +20,10 @@ inline constexpr Wavelength kSodium = 589.46 * unit::nm;
 struct RainbowSetup {
     Storm storm;                      ///< file and options together
     std::vector<std::string> models;  ///< at least one
-    TableRequest request;  ///< of the first model; wavelengths and angles as asked for, or empty
-    std::string drops;     ///< in a few words
+    /// Of the first model and the first shower; wavelengths and angles as asked for, or empty.
+    TableRequest request;
+    std::vector<DropSizesPtr> showers;
+    std::string drops;  ///< in a few words
     std::string light_name;
     SpectrumPtr white;  ///< what looks white
     SpectrumPtr light;  ///< what reaches the drops; differs from `white` where air reddens it
@@ -33,6 +35,8 @@ struct RainbowSetup {
     /// models has all orders together.
     TableRequest request_for(const std::string& model, const std::vector<Wavelength>& wavelengths,
                              const std::vector<Angle>& angles) const;
+    /// The table of this request for all showers. Throws InputError.
+    ScatteringTable table_of(TableRequest request) const;
     /// What a file has to say about how it was made.
     Attributes facts() const;
 };

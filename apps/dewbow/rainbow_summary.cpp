@@ -122,7 +122,7 @@ std::string summary_json(RainbowTables& tables, const std::vector<std::string>& 
     }
     const Json json{{"version", DEWBOW_VERSION},
                     {"model", setup.models.front()},
-                    {"drops", setup.request.sizes->describe()},
+                    {"drops", setup.drops},
                     {"wavelength_nm", lambda.to(unit::nm)},
                     {"index", setup.request.optics.index(lambda).value},
                     {"sun_altitude_deg", degrees_of(setup.sun_altitude)},

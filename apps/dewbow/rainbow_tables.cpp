@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rainbow_tables.h"
 
+#include "rainbow_degrees.h"
+
 namespace dewbow {
 namespace {
 
@@ -20,13 +22,15 @@ const ScatteringTable& RainbowTables::get(const std::string& model,
         if (entry.model == model && entry.table.wavelengths == request.wavelengths &&
             entry.table.angles == request.angles)
             return entry.table;
-    entries_.push_back({model, make_scattering_table(request)});
+    entries_.push_back({model, setup_.table_of(request)});
     return entries_.back().table;
 }
 
 std::vector<Angle> whole_circle() { return angles_of(0.0, 180.0, 0.1); }
 std::vector<Angle> around_the_bows() { return angles_of(115.0, 155.0, 0.02); }
-std::vector<Angle> half_the_sky() { return angles_of(90.0, 180.0, 0.05); }
+std::vector<Angle> half_the_sky(Angle nearest) {
+    return angles_of(90.0, 180.0 - degrees_of(nearest), 0.05);
+}
 
 std::vector<Wavelength> visible_wavelengths() {
     std::vector<Wavelength> wavelengths;

@@ -37,8 +37,8 @@ private:
 std::vector<Angle> whole_circle();
 /// From 25° to 65° around the antisolar point, where the two bows are.
 std::vector<Angle> around_the_bows();
-/// From the antisolar point to 90° around it, by 0.05°.
-std::vector<Angle> half_the_sky();
+/// From `nearest` to the antisolar point to 90° around it, by 0.05°.
+std::vector<Angle> half_the_sky(Angle nearest);
 /// 380 to 780 nm by 5 nm: enough of them that no rings of colour appear between wavelengths.
 std::vector<Wavelength> visible_wavelengths();
 

@@ -146,14 +146,23 @@ private:
         storm_.tolerance = table_.find_number("tolerance", kTolerances);
     }
 
+    /// One distribution, or an array of them.
+    std::vector<DropSizesPtr> read_showers(const TomlValue& value) {
+        if (!value.array()) return {named(value, "drop_sizes", parse_drop_sizes)};
+        std::vector<DropSizesPtr> showers;
+        for (const TomlValue& entry : *value.array())
+            showers.push_back(named(entry, "drop_sizes", parse_drop_sizes));
+        if (showers.empty()) fail(document_, value.place, "drop_sizes is an empty array");
+        return showers;
+    }
+
     void read_drops() {
         const Range um{1e3 * kDropRadii_mm.low, 1e3 * kDropRadii_mm.high};
         if (const auto mm = table_.find_number("drop_radius_mm", kDropRadii_mm))
-            storm_.sizes = single_drop_size(*mm * unit::mm);
+            storm_.sizes = {single_drop_size(*mm * unit::mm)};
         if (const auto micrometres = table_.find_number("drop_radius_um", um))
-            storm_.sizes = single_drop_size(*micrometres * unit::um);
-        if (const TomlValue* value = table_.find("drop_sizes"))
-            storm_.sizes = named(*value, "drop_sizes", parse_drop_sizes);
+            storm_.sizes = {single_drop_size(*micrometres * unit::um)};
+        if (const TomlValue* value = table_.find("drop_sizes")) storm_.sizes = read_showers(*value);
         storm_.shape = word<DropShape>("drop_shape", drop_shape_names());
         storm_.oscillation = table_.find_number("drop_oscillation", kOscillations);
         storm_.tilt = angle("drop_tilt_deg", kTilts_deg);
@@ -211,12 +220,12 @@ const std::vector<std::string>& drop_shape_names() {
 }
 
 Storm with_above(Storm storm, const Storm& above) {
-    if (above.sizes) storm.sizes = above.sizes;
     if (above.illuminant) storm.illuminant = above.illuminant;
     if (above.index) storm.water = storm.air = std::nullopt;
     if (above.water || above.air) storm.index = std::nullopt;
     put_above(storm.models, above.models);
     put_above(storm.orders, above.orders);
+    put_above(storm.sizes, above.sizes);
     put_above(storm.tolerance, above.tolerance);
     put_above(storm.paper, above.paper);
     put_above(storm.shape, above.shape);

@@ -33,7 +33,8 @@ struct Storm {
     std::optional<bool> paper;  ///< as Musgrave published it in 1989
 
     // The drops: of water in air, or of an index.
-    DropSizesPtr sizes;
+    /// One entry for each shower; they hold as much of the drops' cross section as each other.
+    std::vector<DropSizesPtr> sizes;
     std::optional<DropShape> shape;
     std::optional<double> oscillation;  ///< of flattened drops, as ShapeSpread
     std::optional<Angle> tilt;

@@ -12,7 +12,8 @@ constexpr double kRounding = 1e-12;  ///< of unit conversions
 
 TEST(Storm, SaysNothingWhereNothingIsSaid) {
     const Storm storm = parse_storm("storm.toml", "");
-    EXPECT_TRUE(storm.models.empty() && storm.orders.empty() && !storm.sizes && !storm.index);
+    EXPECT_TRUE(storm.models.empty() && storm.orders.empty() && storm.sizes.empty() &&
+                !storm.index);
     EXPECT_TRUE(storm.wavelengths.empty() && storm.angles.empty() && !storm.sun_altitude);
 }
 
@@ -42,7 +43,7 @@ clock_angle_deg = -45
     EXPECT_EQ(storm.models, (std::vector<std::string>{"mie", "descartes"}));
     EXPECT_EQ(storm.orders, (Orders{2, 3}));
     EXPECT_EQ(storm.tolerance, 0.01);
-    EXPECT_NEAR(storm.sizes->smallest().to(unit::mm), 0.3, kRounding);
+    EXPECT_NEAR(storm.sizes.front()->smallest().to(unit::mm), 0.3, kRounding);
     EXPECT_EQ(storm.water->name, "fluid/water@10C");
     EXPECT_EQ(storm.air->name, "fluid/vacuum");
     EXPECT_EQ(storm.illuminant->name, "illuminant/A");
@@ -94,6 +95,8 @@ TEST(Storm, SaysWhatIsWrongAndWhere) {
              {"water = \"watr\"", "storm.toml:1:9: unknown glass \"watr\""},
              {"illuminant = \"D66\"", "storm.toml:1:14: unknown lamp \"D66\""},
              {"drop_sizes = \"gama:mean=1mm,width=0.1\"", "storm.toml:1:14: "},
+             {"drop_sizes = []", "drop_sizes is an empty array"},
+             {"drop_sizes = [\"1mm\", \"2mn\"]", "storm.toml:1:21: "},
              {"wavelengths_nm = [500, 400]", "storm.toml:1:24: wavelengths_nm[1] is 400 after 500"},
              {"wavelengths_nm = { from = 700, to = 400, step = 1 }", "it must ascend"},
              {"wavelengths_nm = { from = 400, to = 700, step = 1e-9 }", "more than 100000 steps"},
@@ -109,6 +112,12 @@ TEST(Storm, SaysWhatIsWrongAndWhere) {
         }
 }
 
+TEST(Storm, MayHaveSeveralShowers) {
+    const Storm storm = parse_storm("s", "drop_sizes = [\"0.2mm\", \"1mm\"]");
+    ASSERT_EQ(storm.sizes.size(), 2u);
+    EXPECT_NEAR(storm.sizes[1]->smallest().to(unit::mm), 1.0, kRounding);
+}
+
 TEST(Storm, OptionsStandAboveTheFile) {
     Storm file = parse_storm("s", "drop_radius_mm = 1\nwater = \"water@10C\"\norders = [2]");
     Storm options;
@@ -118,7 +127,7 @@ TEST(Storm, OptionsStandAboveTheFile) {
     EXPECT_FALSE(both.water.has_value());
     EXPECT_EQ(both.index->n, 1.5);
     EXPECT_EQ(both.orders, (Orders{3}));
-    EXPECT_NEAR(both.sizes->smallest().to(unit::mm), 1.0, kRounding);
+    EXPECT_NEAR(both.sizes.front()->smallest().to(unit::mm), 1.0, kRounding);
     EXPECT_EQ(with_above(file, {}).water->name, "fluid/water@10C");
 }
 

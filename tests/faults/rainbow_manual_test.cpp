@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// docs/rainbow.md tells the truth: every command in it does what it says, and every option that
+// `dewbow rainbow --help` lists is in it.
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "dewbow/base/file.h"
+#include "run_program.h"
+
+namespace dewbow::faults {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string manual() { return read_file(std::string(DEWBOW_SOURCE_DIR) + "/docs/rainbow.md"); }
+
+/// The commands of the manual, in words, without what stands behind a #.
+std::vector<Words> commands() {
+    std::vector<Words> all;
+    std::istringstream lines(manual());
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("    dewbow rainbow")) continue;
+        std::istringstream text(line.substr(0, line.find(" #")));
+        Words words;
+        for (std::string word; text >> word;) words.push_back(word);
+        words.erase(words.begin());
+        all.push_back(words);
+    }
+    return all;
+}
+
+/// The files that a command writes.
+Words files_of(const Words& words) {
+    Words files;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i] == "-o") files.push_back(words[i + 1]);
+        if (words[i] == "--plot") files.push_back(words[i + 1].substr(words[i + 1].find('=') + 1));
+    }
+    return files;
+}
+
+bool takes_seconds(const Words& words) {
+    for (const std::string& word : words)
+        if (word.starts_with("lee=")) return true;
+    return false;
+}
+
+TEST(RainbowManual, CommandsDoWhatTheySay) {
+    const std::string storm = read_file(std::string(DEWBOW_SOURCE_DIR) + "/examples/storm.toml");
+    const std::vector<Words> all = commands();
+    EXPECT_GE(all.size(), 12u);
+    for (const Words& words : all) {
+        if (takes_seconds(words)) continue;
+        const Folder folder;
+        folder.put("examples/storm.toml", storm);
+        const Outcome outcome = run_program(DEWBOW_BINARY, words, folder.path());
+        std::string shown;
+        for (const std::string& word : words) shown += word + ' ';
+        EXPECT_EQ(outcome.exit_code, 0) << shown << outcome.standard_error;
+        const auto left = folder.snapshot();
+        for (const std::string& file : files_of(words)) EXPECT_TRUE(left.contains(file)) << shown;
+        if (files_of(words).empty()) EXPECT_FALSE(outcome.standard_output.empty()) << shown;
+    }
+}
+
+TEST(RainbowManual, HasEveryOption) {
+    const Folder folder;
+    const std::string help =
+        run_program(DEWBOW_BINARY, {"rainbow", "--help"}, folder.path()).standard_output;
+    const std::string text = manual();
+    std::size_t options = 0;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t name = line.find("--");
+        if (!line.starts_with("  -") || name == std::string::npos) continue;
+        const std::string option = line.substr(name, line.find(' ', name) - name);
+        const bool everywhere = option == "--help" || option == "--output";
+        EXPECT_TRUE(everywhere || text.find("`" + option) != std::string::npos) << option;
+        ++options;
+    }
+    EXPECT_GE(options, 25u);
+}
+
+}  // namespace
+}  // namespace dewbow::faults
