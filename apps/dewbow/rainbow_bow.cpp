@@ -8,8 +8,9 @@ namespace dewbow {
 namespace {
 
 /// Where the bow of flattened drops is computed; between, colours are mixed. From one to the next a
-/// drop of 1 mm moves it by at most 0.15°.
-constexpr double kClockStep_deg = 5.0, kLastClock_deg = 120.0;
+/// drop of 1 mm across moves its bow by at most 0.23°, which is half the sun. A bow meets the
+/// horizon at 90°, or nearer to its top.
+constexpr double kClockStep_deg = 7.5, kLastClock_deg = 90.0;
 
 }  // namespace
 

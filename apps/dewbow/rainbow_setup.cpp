@@ -87,6 +87,19 @@ ClearSky sky_of(const Storm& storm) {
     return sky;
 }
 
+/// One size of drops goes to Mie, which knows spheres alone.
+void check_shape(const RainbowSetup& setup) {
+    if (!setup.request.falling) return;
+    const bool one_size = std::any_of(setup.showers.begin(), setup.showers.end(),
+                                      [](const DropSizesPtr& sizes) { return sizes->is_single(); });
+    for (const std::string& model : setup.models)
+        if (model == "mie" || (model == "auto" && one_size))
+            throw UsageError(
+                fmt::format("model \"{}\" does not know flattened drops{}", model,
+                            model == "auto" ? " of one size" : ""),
+                "uniform_airy, airy, debye and descartes do, and auto those of many sizes");
+}
+
 std::optional<FallingShape> falling_of(const Storm& storm, Angle sun_altitude) {
     if (storm.shape != DropShape::oblate) {
         if (storm.oscillation || storm.tilt)
@@ -140,6 +153,7 @@ RainbowSetup set_up(const RainbowCommand& command) {
     setup.drops = command.size_parameter ? fmt::format("x = {:g}", *command.size_parameter)
                                          : described(setup.showers);
     setup.cache = command.cache;
+    check_shape(setup);
     return setup;
 }
 

@@ -44,7 +44,7 @@ Words files_of(const Words& words) {
 
 bool takes_seconds(const Words& words) {
     for (const std::string& word : words)
-        if (word.starts_with("lee=")) return true;
+        if (word.starts_with("lee=") || word == "oblate") return true;
     return false;
 }
 
@@ -60,9 +60,9 @@ TEST(RainbowManual, CommandsDoWhatTheySay) {
         std::string shown;
         for (const std::string& word : words) shown += word + ' ';
         EXPECT_EQ(outcome.exit_code, 0) << shown << outcome.standard_error;
-        const auto left = folder.snapshot();
-        for (const std::string& file : files_of(words)) EXPECT_TRUE(left.contains(file)) << shown;
-        if (files_of(words).empty()) EXPECT_FALSE(outcome.standard_output.empty()) << shown;
+        for (const std::string& file : files_of(words))
+            EXPECT_TRUE(std::filesystem::exists(folder.path() / file)) << shown;
+        EXPECT_EQ(files_of(words).empty(), !outcome.standard_output.empty()) << shown;
     }
 }
 

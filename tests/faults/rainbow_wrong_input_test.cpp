@@ -51,6 +51,8 @@ TEST(RainbowWrongInput, Drops) {
         {{"--index", "1.3", "--water", "water"}, kWrongUse, {"keep one or the others"}},
         {{"--water", "watr"}, kWrongUse, {"--water: unknown glass \"watr\"", "fluid/water"}},
         {{"--water", "gone.agf#A"}, kWrongInput, {"gone.agf: cannot read"}},
+        {{"--shape", "oblate"}, kWrongUse, {"\"auto\" does not know flattened drops of one size"}},
+        {{"--shape", "oblate", "--model", "mie"}, kWrongUse, {"\"mie\" does not know flattened"}},
         {{"--tilt", "3"}, kWrongUse, {"flattened drops", "--shape oblate"}},
         {{"--air", "water"}, kWrongInput, {"have the index 0.9", "above 1"}},
         {{"--water", "vacuum"}, kWrongInput, {"have the index 0.9", "above 1"}},

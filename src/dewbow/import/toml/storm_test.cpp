@@ -96,7 +96,7 @@ TEST(Storm, SaysWhatIsWrongAndWhere) {
              {"illuminant = \"D66\"", "storm.toml:1:14: unknown lamp \"D66\""},
              {"drop_sizes = \"gama:mean=1mm,width=0.1\"", "storm.toml:1:14: "},
              {"drop_sizes = []", "drop_sizes is an empty array"},
-             {"drop_sizes = [\"1mm\", \"2mn\"]", "storm.toml:1:21: "},
+             {"drop_sizes = [\"1mm\", \"2mn\"]", "storm.toml:1:22: "},
              {"wavelengths_nm = [500, 400]", "storm.toml:1:24: wavelengths_nm[1] is 400 after 500"},
              {"wavelengths_nm = { from = 700, to = 400, step = 1 }", "it must ascend"},
              {"wavelengths_nm = { from = 400, to = 700, step = 1e-9 }", "more than 100000 steps"},
