@@ -130,30 +130,33 @@ Difference largest_difference(const ScatteringTable& table, const std::vector<do
     return worst;
 }
 
-TEST(Automatic, HoldsItsToleranceAgainstMie) {
-    // None of these is among the settings of the calibration. The glory itself, whose brightness
-    // hangs on resonances of each radius, is left out.
+/// None of these is among the settings of the calibration. The glory itself, whose brightness hangs
+/// on resonances of each radius, is left out.
+struct Setting {
+    const char* sizes;
+    double n, lambda_nm;
+    Angle disc;
+};
+void hold_the_tolerance(const Setting& setting) {
     /// Interference between orders that samples of radii leave, in both.
     constexpr double kByChance = 0.003;
-    struct Setting {
-        const char* sizes;
-        double n, lambda_nm;
-        Angle disc;
-    };
-    const Setting settings[] = {{"gamma:mean=18um,width=25%", 1.337, 480.0, kSunRadius},
-                                {"gamma:mean=55um,width=15%", 1.331, 650.0, kSunRadius},
-                                {"lognormal:mean=0.1mm,width=7%", 1.340, 430.0, kSunRadius},
-                                {"gamma:mean=70um,width=30%", 1.334, 550.0, Angle{}}};
-    for (const Setting& setting : settings) {
-        TableRequest request = request_of(setting.sizes, angles(0.0, 178.0, 0.5), setting.disc);
-        request.optics.drop = constant(setting.n);
-        request.wavelengths = {setting.lambda_nm * nm};
-        const ScatteringTable table = make_scattering_table(request);
-        EXPECT_LE(table.stated_error, request.tolerance);
-        const Difference worst = largest_difference(table, exact_phase(request));
-        EXPECT_LE(worst.error, request.tolerance + kByChance)
-            << setting.sizes << " at " << worst.where.to(deg) << "; " << table.report;
-    }
+    TableRequest request = request_of(setting.sizes, angles(0.0, 178.0, 0.5), setting.disc);
+    request.optics.drop = constant(setting.n);
+    request.wavelengths = {setting.lambda_nm * nm};
+    const ScatteringTable table = make_scattering_table(request);
+    EXPECT_LE(table.stated_error, request.tolerance);
+    const Difference worst = largest_difference(table, exact_phase(request));
+    EXPECT_LE(worst.error, request.tolerance + kByChance)
+        << setting.sizes << " at " << worst.where.to(deg) << "; " << table.report;
+}
+TEST(Automatic, HoldsItsToleranceAgainstMie) {
+    hold_the_tolerance({"gamma:mean=18um,width=25%", 1.337, 480.0, kSunRadius});
+    hold_the_tolerance({"lognormal:mean=0.1mm,width=7%", 1.340, 430.0, kSunRadius});
+}
+TEST(LongAutomatic, HoldsItsToleranceAgainstMie) {
+    hold_the_tolerance({"gamma:mean=55um,width=15%", 1.331, 650.0, kSunRadius});
+    hold_the_tolerance({"gamma:mean=70um,width=30%", 1.334, 550.0, Angle{}});
+    hold_the_tolerance({"normal:mean=0.3mm,width=10%", 1.343, 410.0, kSunRadius});
 }
 
 TEST(Automatic, IsMieForOneSizeForSmallDropsAndForDarkOnes) {
@@ -199,28 +202,33 @@ TEST(Automatic, HasNoSeamAndNoSpike) {
     }
 }
 
-TEST(Automatic, IsFiniteEverywhereForAllSizes) {
+void expect_finite_and_smooth(const char* sizes) {
     /// Bends over steps of 0.05°, of the larger of the value and the peak: the bow's own at 1 mm.
     constexpr double kBend = 0.08;
-    for (const char* sizes :
-         {"normal:mean=10um,width=10%", "normal:mean=30um,width=10%", "normal:mean=0.2mm,width=20%",
-          "normal:mean=1mm,width=10%", "rain:marshall-palmer,rate=5mm/h"}) {
-        const ScatteringTable table =
-            make_scattering_table(request_of(sizes, angles(0.0, 180.0, 0.05), kSunRadius));
-        std::vector<double> P;
-        for (std::size_t a = 0; a < table.angles.size(); ++a) {
-            EXPECT_TRUE(std::isfinite(table.at(a, 0).perpendicular));
-            EXPECT_GE(table.at(a, 0).perpendicular, 0.0);
-            EXPECT_GE(table.at(a, 0).parallel, 0.0);
-            P.push_back(table.at(a, 0).unpolarised());
-        }
-        const double peak = primary_peak(table.angles, P);
-        for (std::size_t a = 1; a + 1 < P.size(); ++a) {
-            if (table.angles[a] < 3.0 * deg) continue;  // the sun's edge, rings
-            EXPECT_LE(std::abs(P[a - 1] - 2.0 * P[a] + P[a + 1]), kBend * std::max(peak, P[a]))
-                << sizes << " at " << table.angles[a].to(deg);
-        }
+    const ScatteringTable table =
+        make_scattering_table(request_of(sizes, angles(0.0, 180.0, 0.05), kSunRadius));
+    std::vector<double> P;
+    for (std::size_t a = 0; a < table.angles.size(); ++a) {
+        EXPECT_TRUE(std::isfinite(table.at(a, 0).perpendicular));
+        EXPECT_GE(table.at(a, 0).perpendicular, 0.0);
+        EXPECT_GE(table.at(a, 0).parallel, 0.0);
+        P.push_back(table.at(a, 0).unpolarised());
     }
+    const double peak = primary_peak(table.angles, P);
+    for (std::size_t a = 1; a + 1 < P.size(); ++a) {
+        if (table.angles[a] < 3.0 * deg) continue;  // the sun's edge, rings
+        EXPECT_LE(std::abs(P[a - 1] - 2.0 * P[a] + P[a + 1]), kBend * std::max(peak, P[a]))
+            << sizes << " at " << table.angles[a].to(deg);
+    }
+}
+TEST(Automatic, IsFiniteEverywhere) {
+    expect_finite_and_smooth("normal:mean=10um,width=10%");
+    expect_finite_and_smooth("normal:mean=1mm,width=10%");
+}
+TEST(LongAutomatic, IsFiniteEverywhere) {
+    expect_finite_and_smooth("normal:mean=30um,width=10%");
+    expect_finite_and_smooth("normal:mean=0.2mm,width=20%");
+    expect_finite_and_smooth("rain:marshall-palmer,rate=5mm/h");
 }
 
 TEST(Automatic, KeepsItsEnergy) {
@@ -283,7 +291,7 @@ TEST(LongAutomatic, ErrorsAreThoseStated) {
                 TableRequest request = request_of("0.1mm", angles(0.0, 180.0, 0.25), kSunRadius);
                 request.sizes = normal_drop_sizes(mean, width);
                 request.optics.drop = constant(n);
-                request.tolerance = 1.0;  // the glory of small drops beside
+                request.tolerance = 0.99;
                 const ScatteringTable table = make_scattering_table(request);
                 const std::vector<double> mie = exact_phase(request);
                 const double peak = primary_peak(request.angles, mie);
@@ -291,6 +299,7 @@ TEST(LongAutomatic, ErrorsAreThoseStated) {
                 for (const RegionError& region : composition_errors(false)) {
                     const double stated =
                         std::max(region.per_size * 1000.0 / effective, region.least);
+                    if (stated >= 1.0) continue;  // left to Mie
                     double worst = 0.0;
                     for (std::size_t a = 0; a < mie.size(); ++a)
                         if (request.angles[a] >= region.range.from &&

@@ -28,7 +28,7 @@ TEST(LeeTable, EachRadiusIsTheTableOfItsDrops) {
     /// Of the peak: the tolerance, and corrections that go straight between radii.
     constexpr double kError = 0.03;
     LeeRequest request = some_request();
-    for (double r = 20.0; r <= 500.0; r *= 1.6) request.radii.push_back(r * um);
+    for (double r = 20.0; r <= 500.0; r *= 2.2) request.radii.push_back(r * um);
     const LeeTable lee = make_lee_table(request);
     EXPECT_LE(lee.stated_error, request.tolerance);
     for (std::size_t r = 0; r < request.radii.size(); r += 2) {
