@@ -17,6 +17,7 @@
 
 #include "dewbow/base/descriptor.h"
 #include "dewbow/base/error.h"
+#include "dewbow/base/read_record.h"
 #include "dewbow/base/temporary_file.h"
 
 namespace dewbow {
@@ -293,6 +294,7 @@ std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
             if (bytes.size() > max_bytes) fail(path, "cannot read: it is " + limit);
             if (bytes.size() < end + kMore) break;
         }
+        ReadRecord::note(bytes);
         return bytes;
     } catch (const std::bad_alloc&) {
         fail(path, "cannot read: not enough memory for " + std::to_string(size) + " bytes");

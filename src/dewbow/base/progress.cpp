@@ -123,6 +123,7 @@ std::string json_seconds(Seconds duration) {
 struct State {
     std::uint64_t done;
     std::uint64_t total;
+    std::uint64_t skipped;  ///< of those done: before the start
     Seconds elapsed;
 
     int percent() const {
@@ -130,8 +131,8 @@ struct State {
     }
     /// If the rest goes as fast as what was done; nothing before anything was.
     std::optional<Seconds> left() const {
-        if (done == 0) return std::nullopt;
-        return elapsed * (static_cast<double>(total - done) / static_cast<double>(done));
+        if (done <= skipped) return std::nullopt;
+        return elapsed * (static_cast<double>(total - done) / static_cast<double>(done - skipped));
     }
 };
 
@@ -208,6 +209,11 @@ void Progress::advance(std::uint64_t units) {
     if (lock && !finished_) print(false);
 }
 
+void Progress::skip(std::uint64_t units) {
+    skipped_.fetch_add(units, std::memory_order_relaxed);
+    advance(units);
+}
+
 void Progress::finish() {
     const std::scoped_lock lock(printing_);
     if (finished_) return;
@@ -218,7 +224,7 @@ void Progress::finish() {
 void Progress::print(bool last) {
     const Clock::time_point now = Clock::now();
     const std::uint64_t done = std::min(total_, done_.load(std::memory_order_relaxed));
-    const State state{done, total_, now - start_};
+    const State state{done, total_, skipped_.load(std::memory_order_relaxed), now - start_};
     const bool bar = style_ == ProgressStyle::bar;
     const bool first = last_print_ == Clock::time_point{};
     const bool late_enough = first || now - last_print_ >= (bar ? Clock::duration(kBarInterval)

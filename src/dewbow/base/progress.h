@@ -28,6 +28,8 @@ public:
     /// Adds finished units; any thread. Prints at most ten times a second (plain and JSON: every 5
     /// % and at most every second).
     void advance(std::uint64_t units = 1);
+    /// Counts units that were finished before: they say nothing about the time that is left.
+    void skip(std::uint64_t units);
     /// Ends the display with what is done by then; called by the destructor if it was not. A job
     /// that was given up so ends below 100 %.
     void finish();
@@ -41,7 +43,7 @@ private:
     ProgressStyle style_;
     std::FILE* stream_;
     const Clock::time_point start_ = Clock::now();
-    std::atomic<std::uint64_t> done_{0};
+    std::atomic<std::uint64_t> done_{0}, skipped_{0};
     std::mutex printing_;
     Clock::time_point last_print_{};
     int last_percent_ = -1;

@@ -40,17 +40,6 @@ constexpr std::size_t kKeptInvalid = 100;
 constexpr double kSmallestReference = 1e-30;
 constexpr double kLargestReference = 1e30;
 
-/// The exponent of the nearest power of two (by ratio) to `radiance` > 0. Exact: a logarithm may
-/// differ between machines.
-int reference_exponent_of(double radiance) {
-    DEWBOW_CHECK(radiance > 0.0, "the reference radiance is above zero");
-    int exponent = 0;
-    const double mantissa = std::frexp(std::clamp(radiance, kSmallestReference, kLargestReference),
-                                       &exponent);  // in [1/2, 1)
-    constexpr double kSqrtHalf = 0.70710678118654752;
-    return mantissa < kSqrtHalf ? exponent - 1 : exponent;
-}
-
 /// To the nearest integer, ties to even. @param quanta  |quanta| <= 2⁶²
 std::int64_t round_small(double quanta) { return std::llrint(quanta); }
 
@@ -97,10 +86,20 @@ void InvalidSamples::add(const InvalidSamples& other) {
     first = std::move(both);
 }
 
+int reference_exponent(double radiance) {
+    DEWBOW_CHECK(radiance > 0.0, "the reference radiance is above zero");
+    // Exact: a logarithm may differ between machines.
+    int exponent = 0;
+    const double mantissa = std::frexp(std::clamp(radiance, kSmallestReference, kLargestReference),
+                                       &exponent);  // in [1/2, 1)
+    constexpr double kSqrtHalf = 0.70710678118654752;
+    return mantissa < kSqrtHalf ? exponent - 1 : exponent;
+}
+
 FilmSums::FilmSums(int width, int height, PixelRect crop, int spectral_bins,
                    double reference_radiance)
-    : FilmSums(FilmLayout{width, height, crop, spectral_bins,
-                          reference_exponent_of(reference_radiance)}) {}
+    : FilmSums(
+          FilmLayout{width, height, crop, spectral_bins, reference_exponent(reference_radiance)}) {}
 
 FilmSums::FilmSums(const FilmLayout& layout) : layout_(layout) {
     const PixelRect& crop = layout.crop;

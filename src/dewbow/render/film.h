@@ -63,6 +63,9 @@ struct FilmLayout {
     bool operator==(const FilmLayout&) const = default;
 };
 
+/// The exponent of the power of two that is nearest (by ratio) to `radiance` > 0.
+int reference_exponent(double radiance);
+
 class FilmSums {
 public:
     /// @param width,height  size of the picture.  @param crop  the part of it that is rendered
@@ -86,6 +89,8 @@ public:
     /// Adds the sums of a film whose layout is the same but for the crop, which lies within this
     /// one's. The order of adding does not matter.
     void add(const FilmSums& other);
+    /// The same, but for the other's invalid samples.
+    void add_pixels(const FilmSums& other);
 
     const FilmLayout& layout() const { return layout_; }
     int width() const { return layout_.width; }

@@ -39,6 +39,11 @@ void FilmSums::add_pixel(std::size_t index, const Pixel& sums) {
 }
 
 void FilmSums::add(const FilmSums& other) {
+    add_pixels(other);
+    add_invalid(other.invalid());
+}
+
+void FilmSums::add_pixels(const FilmSums& other) {
     FilmLayout same = other.layout_;
     same.crop = layout_.crop;
     DEWBOW_CHECK(same == layout_ && lies_inside(other.crop(), crop()),
@@ -53,7 +58,6 @@ void FilmSums::add(const FilmSums& other) {
                 add_saturating(bins_sum_[to * bins + bin], other.bins_sum_[from * bins + bin]);
         }
     }
-    add_invalid(other.invalid());
 }
 
 void FilmSums::append_pixels(const PixelRect& part, std::string& to) const {

@@ -4,13 +4,18 @@
 #include <gnu/libc-version.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <iterator>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 
 #include "dewbow/base/check.h"
 #include "dewbow/base/error.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/render/accelerator.h"
+#include "dewbow/render/live_state.h"
 #include "dewbow/spectrum/cie.h"
 
 namespace dewbow {
@@ -19,57 +24,128 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Keeps a state every now and then, on a thread of its own, while it lives.
+class CheckpointKeeper {
+public:
+    CheckpointKeeper(const SessionOptions& options, LiveState& live,
+                     std::function<double()> seconds)
+        : live_(live), seconds_(std::move(seconds)) {
+        if (options.checkpoints)
+            thread_ = std::jthread([this, &checkpoints = *options.checkpoints](
+                                       std::stop_token stop) { loop(checkpoints, stop); });
+    }
+
+private:
+    /// The render has ended: what is being written is not needed any more.
+    struct GivenUp {};
+
+    void loop(const Checkpoints& checkpoints, const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any end;
+        std::unique_lock lock(mutex);
+        for (;;) {
+            end.wait_for(lock, stop, checkpoints.interval, [&] { return stop.stop_requested(); });
+            if (stop.stop_requested()) return;
+            try {
+                checkpoints.keep([&](const ByteSink& sink) { write(sink, stop); });
+            } catch (const GivenUp&) {
+                return;
+            }
+        }
+    }
+
+    void write(const ByteSink& sink, const std::stop_token& stop) {
+        live_.write(
+            [&](std::string_view bytes) {
+                if (stop.stop_requested()) throw GivenUp();
+                sink(bytes);
+            },
+            seconds_());
+    }
+
+    LiveState& live_;
+    std::function<double()> seconds_;
+    std::jthread thread_;  // last: it ends before the others do
+};
+
 /// Steps of a progress display that follows the clock or the noise.
 constexpr std::uint64_t kShareSteps = 10000;
 
 /// One call of run_session.
 class Run {
 public:
-    Run(const Scene& scene, const Estimator& estimator, const SessionOptions& options,
-        FilmSums& film)
+    Run(const Estimator& estimator, const SessionOptions& options, RenderState& state)
         : estimator_(estimator),
           options_(options),
-          film_(film),
-          plan_(film.crop(), scene.render.samples_per_pixel),
-          progress_(options.title, has_goal() ? kShareSteps : plan_.units(), options.progress) {}
+          state_(state),
+          live_(state),
+          seconds_before_(state.seconds),
+          progress_(options.title, has_goal() ? kShareSteps : selected_units(), options.progress) {
+        DEWBOW_CHECK(!options.selects || !has_goal(),
+                     "a part of the units has no noise of its own");
+    }
 
     SessionResult run() {
+        if (!has_goal() && !options_.selects) progress_.skip(state_.plan.finished_units());
         SessionResult result;
-        result.reason = render_passes();
+        {
+            const CheckpointKeeper keeper(options_, live_, [this] { return seconds(); });
+            result.reason = render_passes();
+        }
         if (has_goal()) advance_by_share();
         progress_.finish();
-        result.crop = film_.crop();
-        result.samples = samples_;
+        state_.seconds = seconds();
+        const FilmSums& film = state_.film;
+        result.crop = film.crop();
+        result.samples = state_.plan.finished_samples();
         result.samples_per_pixel =
-            static_cast<double>(samples_) / static_cast<double>(film_.crop().area());
-        result.finished_units = plan_.finished_units();
-        result.planned_units = plan_.units();
-        result.invalid_samples = film_.invalid_samples();
-        result.film_hash = film_.fingerprint();
-        result.seconds = seconds();
+            static_cast<double>(result.samples) / static_cast<double>(film.crop().area());
+        result.finished_units = state_.plan.finished_units();
+        result.planned_units = state_.plan.units();
+        result.invalid_samples = film.invalid_samples();
+        result.film_hash = film.fingerprint();
+        result.seconds = state_.seconds;
         return result;
     }
 
 private:
+    const UnitPlan& plan() const { return state_.plan; }
+
+    /// Starts with the last finished pass: whether to stop there may not have been asked yet.
     StopReason render_passes() {
-        for (std::size_t pass = 0; pass < plan_.passes(); ++pass) {
-            parallel_for(plan_.tiles(), [&](std::size_t tile) { render_unit(pass, tile); });
-            if (plan_.finished_units() < (pass + 1) * plan_.tiles()) return StopReason::interrupted;
-            if (pass + 1 == plan_.passes()) break;
-            if (stopped()) return StopReason::interrupted;
-            if (options_.time_limit && seconds() >= options_.time_limit->count())
-                return StopReason::time;
-            if (is_clean_enough(plan_.unit(pass, 0).end_sample)) return StopReason::noise;
+        const std::size_t open = plan().first_open_pass();
+        for (std::size_t pass = open > 0 ? open - 1 : 0; pass < plan().passes(); ++pass) {
+            parallel_for(plan().tiles(), [&](std::size_t tile) { render_unit(pass, tile); });
+            if (gave_up_) return StopReason::interrupted;
+            if (pass + 1 == plan().passes()) break;
+            if (const auto reason = reason_to_stop_after(pass)) return *reason;
         }
         return StopReason::complete;
     }
 
+    std::optional<StopReason> reason_to_stop_after(std::size_t pass) {
+        if (stopped()) return StopReason::interrupted;
+        // An earlier run has gone on to later passes: it was asked, and the answer was no.
+        if (plan().finished_units() > (pass + 1) * plan().tiles()) return std::nullopt;
+        if (options_.time_limit && seconds() >= options_.time_limit->count())
+            return StopReason::time;
+        if (is_clean_enough(plan().unit(pass, 0).end_sample)) return StopReason::noise;
+        return std::nullopt;
+    }
+
     void render_unit(std::size_t pass, std::size_t tile) {
-        if (stopped()) return;
-        const Unit unit = plan_.unit(pass, tile);
-        estimator_.render(unit, film_);
-        plan_.set_finished(pass, tile);
-        samples_ += unit.tile.area() * (unit.end_sample - unit.first_sample);
+        if (options_.selects && !options_.selects(pass, tile)) return;
+        if (live_.finished(pass, tile)) return;
+        if (stopped()) {
+            gave_up_ = true;
+            return;
+        }
+        const Unit unit = plan().unit(pass, tile);
+        FilmLayout layout = state_.film.layout();
+        layout.crop = unit.tile;
+        FilmSums part(layout);
+        estimator_.render(unit, part);
+        live_.hand_in(pass, tile, part);
         if (has_goal())
             advance_by_share();
         else
@@ -78,11 +154,20 @@ private:
 
     bool has_goal() const { return options_.time_limit || options_.noise_target; }
 
+    std::size_t selected_units() const {
+        if (!options_.selects) return plan().units();
+        std::size_t units = 0;
+        for (std::size_t pass = 0; pass < plan().passes(); ++pass)
+            for (std::size_t tile = 0; tile < plan().tiles(); ++tile)
+                units += options_.selects(pass, tile) && !plan().finished(pass, tile);
+        return units;
+    }
+
     /// The share that is done is that of the time, of the way to the noise or of the units,
     /// whichever is largest. For the display only.
     void advance_by_share() {
         double share =
-            static_cast<double>(plan_.finished_units()) / static_cast<double>(plan_.units());
+            static_cast<double>(live_.finished_units()) / static_cast<double>(plan().units());
         if (options_.time_limit) share = std::max(share, seconds() / options_.time_limit->count());
         share = std::min(1.0, std::max(share, noise_share_.load()));
         const auto steps = static_cast<std::uint64_t>(kShareSteps * share);
@@ -95,21 +180,24 @@ private:
 
     bool is_clean_enough(std::int64_t samples_per_pixel) {
         if (!options_.noise_target) return false;
-        const double noise = relative_noise(film_);
+        const double noise = relative_noise(state_.film);
         // Noise falls with the root of the samples.
         const double ratio = *options_.noise_target / noise;
         noise_share_ = noise > 0.0 ? ratio * ratio : 1.0;
         return samples_per_pixel >= kLeastSamplesForNoise && noise <= *options_.noise_target;
     }
 
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    double seconds() const {
+        return seconds_before_ + std::chrono::duration<double>(Clock::now() - start_).count();
+    }
 
     const Estimator& estimator_;
     const SessionOptions& options_;
-    FilmSums& film_;
-    UnitPlan plan_;
+    RenderState& state_;
+    LiveState live_;
+    const double seconds_before_;
     Progress progress_;
-    std::atomic<std::int64_t> samples_{0};
+    std::atomic<bool> gave_up_{false};  // units are left because of a stop
     std::atomic<std::uint64_t> shown_steps_{0};
     std::atomic<double> noise_share_{0.0};
     const Clock::time_point start_ = Clock::now();
@@ -125,6 +213,13 @@ PixelRect crop_of(const Film& film, const SessionOptions& options) {
                          " does not lie in the picture of " + std::to_string(film.width) + "x" +
                          std::to_string(film.height) + " pixels");
     return crop;
+}
+
+FilmLayout film_layout(const Scene& scene, const SessionOptions& options) {
+    const Film& film = scene.film;
+    const double white_radiance = film.white_luminance / (kLuminousEfficacy * cie_y_integral());
+    return {film.width, film.height, crop_of(film, options), film.spectral_bins,
+            reference_exponent(white_radiance)};
 }
 
 /// What the C library's mathematics and Embree choose their code by.
@@ -167,16 +262,41 @@ std::string to_string(StopReason reason) {
     return "unknown";
 }
 
+SessionResult run_session(const Estimator& estimator, const SessionOptions& options,
+                          RenderState& state) {
+    return Run(estimator, options, state).run();
+}
+
 SessionResult run_session(const Scene& scene, const Estimator& estimator,
                           const SessionOptions& options, FilmSums& film) {
-    return Run(scene, estimator, options, film).run();
+    RenderIdentity identity;
+    identity.samples_per_pixel = scene.render.samples_per_pixel;
+    identity.film = film.layout();
+    RenderState state(std::move(identity), std::move(film));
+    const SessionResult result = run_session(estimator, options, state);
+    film = std::move(state.film);
+    return result;
+}
+
+RenderIdentity render_identity(const Scene& scene, const SessionOptions& options,
+                               const std::string& estimator, std::uint64_t scene_hash) {
+    const RenderSettings& settings = scene.render;
+    RenderIdentity identity;
+    identity.scene_hash = scene_hash;
+    identity.estimator = estimator;
+    identity.settings = "packet " + std::to_string(settings.packet) + ", max depth " +
+                        std::to_string(settings.max_depth) + ", roulette from " +
+                        std::to_string(settings.roulette_depth) + ", wavelengths " +
+                        (settings.wavelengths == WavelengthSampling::visual ? "visual" : "uniform");
+    identity.seed = settings.seed;
+    identity.samples_per_pixel = settings.samples_per_pixel;
+    identity.film = film_layout(scene, options);
+    identity.fingerprint = fingerprint();
+    return identity;
 }
 
 FilmSums make_film(const Scene& scene, const SessionOptions& options) {
-    const Film& film = scene.film;
-    const double white_radiance = film.white_luminance / (kLuminousEfficacy * cie_y_integral());
-    return FilmSums(film.width, film.height, crop_of(film, options), film.spectral_bins,
-                    white_radiance);
+    return FilmSums(film_layout(scene, options));
 }
 
 double relative_noise(const FilmSums& film) {

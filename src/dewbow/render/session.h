@@ -11,12 +11,24 @@
 
 #include "dewbow/base/progress.h"
 #include "dewbow/render/estimator.h"
-#include "dewbow/render/unit_plan.h"
+#include "dewbow/render/state.h"
 
 namespace dewbow {
 
 /// From fewer samples a pixel's noise cannot be told.
 inline constexpr int kLeastSamplesForNoise = 16;
+
+/// Writes the state of the moment to a sink.
+using StateOfTheMoment = std::function<void(const ByteSink&)>;
+
+/// States that are kept while a render goes on.
+struct Checkpoints {
+    /// From the start, and from the end of one to the start of the next.
+    std::chrono::duration<double> interval{60.0};
+    /// Called on a thread of its own; workers go on. It must let pass what it does not know: a
+    /// render that ends gives up the state that is being written by an exception from the sink.
+    std::function<void(const StateOfTheMoment&)> keep;
+};
 
 struct SessionOptions {
     std::optional<PixelRect> crop;
@@ -30,6 +42,10 @@ struct SessionOptions {
     /// Set from a signal handler or another thread: units under way are finished, then the render
     /// ends.
     const std::atomic<bool>* stop = nullptr;
+    /// Which units are this run's; empty: all. With it there is neither time_limit nor
+    /// noise_target.
+    std::function<bool(std::size_t pass, std::size_t tile)> selects;
+    std::optional<Checkpoints> checkpoints;
 };
 
 enum class StopReason { complete, time, noise, interrupted };
@@ -41,15 +57,28 @@ struct SessionResult {
     StopReason reason = StopReason::complete;
     PixelRect crop;
     double samples_per_pixel = 0.0;  ///< mean over the crop
+    /// Of the state, which may hold more or fewer than this run's.
     std::size_t finished_units = 0, planned_units = 0;
     std::int64_t samples = 0;  ///< of all pixels together, invalid ones included
     std::int64_t invalid_samples = 0;
     std::uint64_t film_hash = 0;  ///< FilmSums::fingerprint
-    double seconds = 0.0;
+    double seconds = 0.0;         ///< those of earlier runs included
 };
 
-/// Renders `scene.render.samples_per_pixel` samples of every pixel of the film's crop into `film`,
-/// which comes from make_film with the same options.
+/// Goes on with `state` until all of its units, or those that `options` select, are finished, or
+/// there is a reason to stop. It ends with the same bits as if it had never been interrupted, and
+/// stops at the same noise; a time limit counts the seconds of earlier runs.
+SessionResult run_session(const Estimator& estimator, const SessionOptions& options,
+                          RenderState& state);
+
+/// What a render of `scene` is: its bits depend on nothing else. Throws InputError as make_film.
+/// @param scene_hash  of all that `scene` was made from.
+RenderIdentity render_identity(const Scene& scene, const SessionOptions& options,
+                               const std::string& estimator, std::uint64_t scene_hash);
+
+/// From the beginning to the end, and no state to keep: renders `scene.render.samples_per_pixel`
+/// samples of every pixel of the film's crop into `film`, which comes from make_film with the same
+/// options.
 SessionResult run_session(const Scene& scene, const Estimator& estimator,
                           const SessionOptions& options, FilmSums& film);
 

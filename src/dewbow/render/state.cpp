@@ -54,10 +54,12 @@ std::optional<std::string> mismatch(const RenderIdentity& a, const std::string& 
     return std::nullopt;
 }
 
-RenderState::RenderState(RenderIdentity of)
+RenderState::RenderState(RenderIdentity of) : RenderState(of, FilmSums(of.film)) {}
+
+RenderState::RenderState(RenderIdentity of, FilmSums empty)
     : identity(std::move(of)),
       plan(identity.film.crop, identity.samples_per_pixel, identity.tile_side),
-      film(identity.film) {}
+      film(std::move(empty)) {}
 
 Added add_state(RenderState& into, const std::string& into_name, const RenderState& from,
                 const std::string& from_name) {

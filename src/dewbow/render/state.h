@@ -53,6 +53,8 @@ RenderIdentity identity_from_bytes(std::string_view bytes);
 
 struct RenderState {
     explicit RenderState(RenderIdentity of);  ///< nothing is finished
+    /// @param empty  a film of that layout without samples.
+    RenderState(RenderIdentity of, FilmSums empty);
     RenderIdentity identity;
     UnitPlan plan;
     FilmSums film;

@@ -56,5 +56,113 @@ TEST(UnitPlan, MillionsOfPassesTakeNoMemory) {
     EXPECT_FALSE(plan.finished(plan.passes() - 2, 7));
 }
 
+/// A plan of 5 passes of 9 tiles, of which units are finished with that probability.
+UnitPlan random_plan(std::mt19937& engine, double probability) {
+    UnitPlan plan({0, 0, 40, 40}, 20);
+    std::bernoulli_distribution finished(probability);
+    for (std::size_t pass = 0; pass < plan.passes(); ++pass) {
+        const bool whole = engine() % 3 == 0;
+        for (std::size_t tile = 0; tile < plan.tiles(); ++tile)
+            if (whole || finished(engine)) plan.set_finished(pass, tile);
+    }
+    return plan;
+}
+
+TEST(UnitPlan, CountsWhatItHasInCommonWithAnother) {
+    std::mt19937 engine(7);
+    for (int repeat = 0; repeat < 200; ++repeat) {
+        const UnitPlan a = random_plan(engine, 0.3), b = random_plan(engine, 0.6);
+        std::size_t common = 0;
+        for (std::size_t pass = 0; pass < a.passes(); ++pass)
+            for (std::size_t tile = 0; tile < a.tiles(); ++tile)
+                common += a.finished(pass, tile) && b.finished(pass, tile);
+        EXPECT_EQ(a.common_units(b), common);
+        EXPECT_EQ(b.common_units(a), common);
+    }
+}
+
+TEST(UnitPlan, TakesOverWhatItLacks) {
+    std::mt19937 engine(8);
+    for (int repeat = 0; repeat < 200; ++repeat) {
+        UnitPlan a({0, 0, 40, 40}, 20), b = a, both = a;
+        for (std::size_t pass = 0; pass < a.passes(); ++pass)
+            for (std::size_t tile = 0; tile < a.tiles(); ++tile) {
+                const auto kind = engine() % (1 + pass);
+                if (kind == 2) continue;
+                (kind == 0 ? a : b).set_finished(pass, tile);
+                both.set_finished(pass, tile);
+            }
+        a.add(b);
+        EXPECT_EQ(a, both);
+        EXPECT_EQ(a.finished_units(), both.finished_units());
+        EXPECT_EQ(a.finished_samples(), both.finished_samples());
+    }
+}
+
+/// Bytes that are there whole.
+class Bytes : public ByteSource {
+public:
+    explicit Bytes(std::string bytes) : bytes_(std::move(bytes)) {}
+    void read(char* to, std::size_t size) override {
+        if (size > left()) throw InputError("it ends too early");
+        bytes_.copy(to, size, at_);
+        at_ += size;
+    }
+    std::uint64_t left() const override { return bytes_.size() - at_; }
+
+private:
+    std::string bytes_;
+    std::size_t at_ = 0;
+};
+
+TEST(UnitPlan, ComesBackFromItsBytes) {
+    std::mt19937 engine(9);
+    for (int repeat = 0; repeat < 200; ++repeat) {
+        const UnitPlan plan = random_plan(engine, 0.4);
+        Bytes bytes([&] {
+            std::string text;
+            plan.append_bytes(text);
+            return text;
+        }());
+        UnitPlan back({0, 0, 40, 40}, 20);
+        back.read_bytes(bytes);
+        EXPECT_EQ(back, plan);
+        EXPECT_EQ(back.finished_units(), plan.finished_units());
+        EXPECT_EQ(bytes.left(), 0u);
+    }
+}
+
+TEST(UnitPlan, MillionsOfFinishedPassesAreFewBytes) {
+    UnitPlan plan({0, 0, 16, 16}, std::int64_t{1} << 24);
+    for (std::size_t pass = 0; pass < 1'000'000; ++pass) plan.set_finished(pass, 0);
+    std::string bytes;
+    plan.append_bytes(bytes);
+    EXPECT_EQ(bytes.size(), 32u);
+    EXPECT_EQ(plan.first_open_pass(), 1'000'000u);
+}
+
+TEST(UnitPlan, RefusesBytesThatCannotBe) {
+    using Numbers = std::vector<std::uint64_t>;
+    const auto refused = [](const Numbers& numbers, const std::string& bits = "") {
+        std::string text;
+        for (const std::uint64_t number : numbers) append_value(text, number);
+        Bytes bytes(text + bits);
+        UnitPlan plan({0, 0, 40, 40}, 20);
+        EXPECT_THROW(plan.read_bytes(bytes), InputError);
+    };
+    refused({1, 2, 2, 0});                  // an empty run
+    refused({1, 3, 2, 0});                  // its end before its start
+    refused({1, 0, 6, 0});                  // more passes than there are
+    refused({2, 0, 1, 1, 2, 0});            // two runs that are one
+    refused({2, 3, 4, 0, 1, 0});            // out of order
+    refused({~std::uint64_t{0}});           // more than there are bytes
+    refused({0, 1, 5}, {"\1\0", 2});        // a pass that there is not
+    refused({0, 1, 0}, {"\0\0", 2});        // begun without a unit
+    refused({0, 1, 0}, {"\xff\1", 2});      // begun, and whole
+    refused({0, 1, 0}, {"\1\2", 2});        // a tile that there is not
+    refused({1, 0, 1, 1, 0}, {"\1\0", 2});  // whole and begun
+    refused({0, 2, 1}, {"\1\0\1\0", 4});    // ends too early
+}
+
 }  // namespace
 }  // namespace dewbow
