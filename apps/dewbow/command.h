@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "checkpoint_file.h"
 #include "dewbow/base/progress.h"
 #include "dewbow/import/import.h"
 #include "dewbow/render/film.h"
@@ -52,6 +53,7 @@ struct RenderCommand {
     std::optional<WavelengthSampling> wavelengths;
     std::string estimator;
     std::optional<Replay> replay;
+    CheckpointWish checkpoint;
     ProgressStyle progress = ProgressStyle::automatic;
     bool quiet = false;
     bool json = false;

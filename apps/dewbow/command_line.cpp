@@ -37,10 +37,11 @@ constexpr std::string_view kRenderExamples = R"(Examples:
   dewbow render prism.toml --noise 0.01 --json        stop at 1 % noise; tell a program
   dewbow render prism.toml --crop 100,50,64x64        a part, with the very pixels of the whole
   dewbow render ring.glb --glass Stone=gem/diamond    with another glass; --set, --env, --camera
+  dewbow render ring.glb --spp 4096 --resume          go on where Ctrl-C or a crash ended it
   dewbow render prism.toml --pixel 12,7 --sample 3    what one path brought home
 
 Exit codes: 0 done, 1 failed, 2 used wrongly, 3 done but more than one sample in a million was
-invalid, 130 or 143 interrupted (what was rendered so far is written).)";
+invalid, 130 or 143 interrupted (what was rendered so far is written, and kept for --resume).)";
 
 constexpr std::string_view kSceneExamples = R"(Examples:
   dewbow scene check ring.glb
@@ -97,8 +98,10 @@ struct RenderTexts {
     SceneTexts scene;
     std::vector<std::string> outputs;
     std::optional<std::string> size, spp, time, noise, crop, threads, seed, packet, exposure, gamut,
-        spectral_bins, max_depth, wavelengths, estimator, pixel, sample, progress;
-    bool quiet = false, json = false;
+        spectral_bins, max_depth, wavelengths, estimator, pixel, sample, checkpoint,
+        checkpoint_every, progress;
+    bool no_checkpoint = false, quiet = false, json = false;
+    std::vector<std::string> resume_file;
 };
 
 /// One command line's parser.
@@ -234,6 +237,21 @@ private:
             alternatives(estimator_names()));
         add("--pixel", t.pixel, "With --sample: compute one sample, show it, write nothing", "X,Y");
         add("--sample", t.sample, "The sample's number, from 0", "K");
+        add("--checkpoint", t.checkpoint,
+            "Where the state of the render is kept until the pictures are written. Default: beside "
+            "the first output",
+            "FILE" + std::string(kStateExtension));
+        add("--checkpoint-every", t.checkpoint_every,
+            "How often the state is kept (default 60s), beside when the render is interrupted",
+            "60s|5m");
+        add_flag(*render_, "--no-checkpoint", t.no_checkpoint, "Keep no state");
+        resume_ = render_
+                      ->add_option("--resume", t.resume_file,
+                                   "Go on with the state of an interrupted render; default: where "
+                                   "its state is kept")
+                      ->type_name("[FILE" + std::string(kStateExtension) + "]")
+                      ->expected(0, 1)
+                      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
         add_flag(*render_, "-q,--quiet", t.quiet, "Say nothing but warnings and errors");
         add_flag(*render_, "--json", t.json, "Print one JSON object on standard output at the end");
         add("--progress", t.progress, "How progress is shown on standard error",
@@ -289,6 +307,10 @@ private:
     }
 
     std::string scene_file(const SceneTexts& t) const {
+        if (!t.scene && !render_texts_.resume_file.empty() && !render_texts_.resume_file[0].empty())
+            throw UsageError("the scene is missing: \"" + render_texts_.resume_file[0] +
+                                 "\" is taken for the file of --resume",
+                             "write --resume after the scene");
         if (!t.scene || t.scene->empty()) throw UsageError("the scene is missing", help_hint());
         return *t.scene;
     }
@@ -329,6 +351,7 @@ private:
         read_sampling(command);
         read_display(command);
         read_replay(command);
+        read_checkpoint(command.checkpoint);
         if (t.estimator)
             command.estimator =
                 estimator_names()[parse_word("--estimator", *t.estimator, estimator_names())];
@@ -385,6 +408,22 @@ private:
         command.gamut = gamut_mapping_from_name(gamut_mapping_names()[index]);
     }
 
+    void read_checkpoint(CheckpointWish& wish) const {
+        const RenderTexts& t = render_texts_;
+        const std::vector<std::string> endings{std::string(kStateExtension)};
+        wish.wanted = !t.no_checkpoint;
+        if (t.no_checkpoint && (t.checkpoint || t.checkpoint_every))
+            throw UsageError(
+                "--no-checkpoint keeps no state; --checkpoint and --checkpoint-every "
+                "say how it is kept");
+        if (t.checkpoint) wish.file = parse_file_name("--checkpoint", *t.checkpoint, endings);
+        if (t.checkpoint_every)
+            wish.interval = parse_duration("--checkpoint-every", *t.checkpoint_every);
+        wish.resume = resume_->count() > 0;
+        if (wish.resume && !t.resume_file.empty() && !t.resume_file.front().empty())
+            wish.resume_file = parse_file_name("--resume", t.resume_file.front(), endings);
+    }
+
     void read_replay(RenderCommand& command) const {
         const RenderTexts& t = render_texts_;
         if (t.pixel.has_value() != t.sample.has_value())
@@ -397,6 +436,7 @@ private:
 
     CLI::App app_;
     CLI::App *render_ = nullptr, *scene_ = nullptr, *scene_check_ = nullptr;
+    CLI::Option* resume_ = nullptr;
     std::optional<GlassCommandLine> glass_;
     std::optional<RainbowCommandLine> rainbow_;
     std::optional<MergeCommandLine> merge_;

@@ -8,15 +8,20 @@
 #include <set>
 #include <system_error>
 
+#include "checkpoint_file.h"
 #include "command.h"
 #include "console.h"
 #include "dewbow/base/check.h"
+#include "dewbow/base/checksum.h"
 #include "dewbow/base/error.h"
 #include "dewbow/base/file_lock.h"
+#include "dewbow/base/hash.h"
 #include "dewbow/base/parallel.h"
+#include "dewbow/base/read_record.h"
 #include "dewbow/import/import.h"
 #include "dewbow/render/exposure.h"
 #include "dewbow/render/output.h"
+#include "dewbow/render/picture_settings.h"
 #include "dewbow/render/session.h"
 #include "interrupt.h"
 #include "memory.h"
@@ -91,37 +96,42 @@ void print_diagnostics(const Diagnostics& diagnostics) {
     }
 }
 
-Scene load(const RenderCommand& command) {
+/// A scene, and a hash of the files and options that it was made from: of the files their contents
+/// and not their names.
+struct LoadedScene {
+    Scene scene;
+    std::uint64_t hash = 0;
+};
+
+std::uint64_t scene_hash(const LoadOptions& load, std::uint64_t contents) {
+    LoadOptions options = load;
+    if (!options.environment.empty()) options.environment = "given";
+    Checksum checksum;
+    checksum.add(load_options_text(options));
+    return hash_combine(contents, checksum.value());
+}
+
+LoadedScene load(const RenderCommand& command) {
+    const ReadRecord record;
     LoadOptions options = command.load;
     if (command.size) options.width = command.size->width, options.height = command.size->height;
     ImportedScene imported = load_scene(command.scene_file, options);
     print_diagnostics(imported.diagnostics);
     apply_options(command, imported.scene);
     validate_view(imported.scene);
-    return std::move(imported.scene);
+    return {std::move(imported.scene), scene_hash(options, record.hash())};
 }
 
-std::unique_ptr<Estimator> make_estimator(const RenderCommand& command, const Scene& scene) {
+const EstimatorRow& estimator_of(const RenderCommand& command) {
     for (const EstimatorRow& row : estimators())
-        if (command.estimator.empty() || row.name == command.estimator) return row.make(scene);
+        if (command.estimator.empty() || row.name == command.estimator) return row;
     throw InputError("this program was built without estimators");
 }
 
-/// Film and estimator for the part of the picture that `options` name, after a look at the memory.
-struct Work {
-    Work(const RenderCommand& command, const Scene& scene, const SessionOptions& options)
-        : film(checked_film(scene, options)), estimator(make_estimator(command, scene)) {}
-
-    static FilmSums checked_film(const Scene& scene, const SessionOptions& options) {
-        const PixelRect whole{0, 0, scene.film.width, scene.film.height};
-        const PixelRect crop = options.crop.value_or(whole);
-        check_memory(crop, scene.film.spectral_bins);
-        return make_film(scene, options);
-    }
-
-    FilmSums film;
-    std::unique_ptr<Estimator> estimator;
-};
+void check_memory_of(const Scene& scene, const SessionOptions& options) {
+    const PixelRect whole{0, 0, scene.film.width, scene.film.height};
+    check_memory(options.crop.value_or(whole), scene.film.spectral_bins);
+}
 
 // ---- one sample --------------------------------------------------------------------------------
 
@@ -164,11 +174,12 @@ int replay(const RenderCommand& command, const Scene& scene) {
                                      wish.x, wish.y, scene.film.width, scene.film.height));
     SessionOptions options;
     options.crop = PixelRect{wish.x, wish.y, wish.x + 1, wish.y + 1};
-    Work work(command, scene, options);
-    work.film.observe([&](int, int, const PixelSample& sample, std::int64_t) {
+    FilmSums film = make_film(scene, options);
+    film.observe([&](int, int, const PixelSample& sample, std::int64_t) {
         print_sample(command, scene, sample);
     });
-    work.estimator->render({*options.crop, wish.sample, wish.sample + 1}, work.film);
+    const auto estimator = estimator_of(command).make(scene);
+    estimator->render({*options.crop, wish.sample, wish.sample + 1}, film);
     return kDone;
 }
 
@@ -211,6 +222,16 @@ SessionOptions session_options(const RenderCommand& command) {
     return options;
 }
 
+/// For those who make pictures of the state without the scene.
+PictureSettings picture_settings(const RenderCommand& command, const Scene& scene) {
+    return {std::filesystem::path(command.scene_file).filename().string(),
+            scene.render.packet,
+            scene.film.white_luminance,
+            scene.film.exposure,
+            scene.film.exposure_stops,
+            command.gamut};
+}
+
 void check_crop(const PixelRect& crop, const Film& film) {
     if (crop.x1 <= film.width && crop.y1 <= film.height) return;
     throw UsageError(
@@ -228,41 +249,63 @@ void check_output(const std::filesystem::path& path) {
 }
 
 std::vector<FileLock> lock_outputs(const RenderCommand& command,
-                                   const std::vector<std::filesystem::path>& paths) {
+                                   std::vector<std::filesystem::path> paths) {
+    if (!command.checkpoint.file.empty()) paths.emplace_back(command.checkpoint.file);
     std::vector<FileLock> locks = lock_files(paths);
     for (const FileLock& lock : locks)
         if (!lock.remark().empty() && !command.quiet) print_message(presentable(lock.remark()));
     return locks;
 }
 
-int render_picture(const RenderCommand& command, const Scene& scene,
+/// The pictures are not all written: what was rendered must not be lost.
+int keep_after_failure(const std::vector<std::string>& failures, const RenderState& state,
+                       CheckpointFile& checkpoint) {
+    for (const std::string& failure : failures) print_error(failure);
+    if (checkpoint.keep(state)) print_message(checkpoint.way_on());
+    return kFailed;
+}
+
+void tell_of_exposure(const RenderCommand& command, const Film& film, double stops) {
+    if (film.exposure == ExposureMode::fixed || stops == 0.0 || command.quiet) return;
+    print_message(
+        fmt::format("exposure {:+.2f} stops, chosen by the picture; --exposure 0 "
+                    "shows it as its numbers say",
+                    stops));
+}
+
+int render_picture(const RenderCommand& command, const LoadedScene& loaded,
                    const std::vector<std::filesystem::path>& paths) {
+    const Scene& scene = loaded.scene;
     if (command.crop) check_crop(*command.crop, scene.film);
-    const SessionOptions options = session_options(command);
-    Work work(command, scene, options);
-    const SessionResult result = run_session(scene, *work.estimator, options, work.film);
-    warn_of_invalid_samples(work.film, scene, result);
+    SessionOptions options = session_options(command);
+    check_memory_of(scene, options);
+    const EstimatorRow& method = estimator_of(command);
+    CheckpointFile checkpoint(command.checkpoint, paths.front());
+    options.checkpoints = checkpoint.checkpoints();
+    RenderIdentity identity = render_identity(scene, options, method.name, loaded.hash);
+    identity.picture = text_of(picture_settings(command, scene));
+    RenderState state = checkpoint.begin(std::move(identity));
+    const SessionResult result = run_session(*method.make(scene), options, state);
+    warn_of_invalid_samples(state.film, scene, result);
     if (result.finished_units == 0) {
         print_message("interrupted before anything was rendered; no picture is written");
         return exit_code(result);
     }
+    const bool interrupted = result.reason == StopReason::interrupted;
+    const bool kept = interrupted && checkpoint.keep(state);
 
     DisplaySettings display;
-    display.exposure_stops = exposure_of(work.film, scene.film);
-    if (scene.film.exposure != ExposureMode::fixed && display.exposure_stops != 0.0 &&
-        !command.quiet)
-        print_message(
-            fmt::format("exposure {:+.2f} stops, chosen by the picture; --exposure 0 "
-                        "shows it as its numbers say",
-                        display.exposure_stops));
+    display.exposure_stops = exposure_of(state.film, scene.film);
+    tell_of_exposure(command, scene.film, display.exposure_stops);
     display.gamut = command.gamut;
     const std::string scene_name = std::filesystem::path(command.scene_file).filename().string();
     const std::vector<std::string> failures =
-        write_pictures(paths, work.film, scene, display, render_facts(scene, result, scene_name));
-    for (const std::string& failure : failures) print_error(failure);
-    if (!failures.empty()) return kFailed;
+        write_pictures(paths, state.film, scene, display, render_facts(scene, result, scene_name));
+    if (!failures.empty()) return keep_after_failure(failures, state, checkpoint);
+    if (!interrupted) checkpoint.remove();
 
     if (!command.quiet) print_message(summary(result, paths));
+    if (kept && !command.quiet) print_message(checkpoint.way_on());
     if (command.json) print_json(result, paths, fingerprint());
     return exit_code(result);
 }
@@ -272,7 +315,7 @@ int render_picture(const RenderCommand& command, const Scene& scene,
 int run_render(const RenderCommand& command) {
     set_thread_count(command.threads);
     set_replay_command(replay_command(command));
-    if (command.replay) return replay(command, load(command));
+    if (command.replay) return replay(command, load(command).scene);
 
     // What would make the render useless at its end is found before it begins.
     const std::vector<std::filesystem::path> paths = output_paths(command);
