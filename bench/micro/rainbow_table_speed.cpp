@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -81,6 +82,7 @@ double lee_seconds(double width, double from_deg, double to_deg, std::string& re
 }
 
 void run() {
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     set_thread_count(1);
     const double wiscombe = wiscombe_table_seconds();
     fmt::print("1801 angles x 400 wavelengths x 100 radii around 0.5 mm\n");

@@ -41,6 +41,7 @@ FringeAverage::FringeAverage(std::span<const double> sizes, std::span<const doub
     effective_size_ = cube / mean_square_;
 
     step_ = kStep * std::pow(greatest, -2.0 / 3.0);
+    per_step_ = 1.0 / step_;
     // Small drops matter little to a sum of x^{7/3}: no need to follow the least to its dark end.
     const double small = std::max(least, 0.1 * effective_size_);
     first_ = -step_ * std::ceil(kDarkest * std::pow(small, -2.0 / 3.0) / step_);
@@ -83,24 +84,6 @@ FringeAverage FringeAverage::rescaled(double ratio) const {
     result.scale_H_ = result.scale_ * result.scale_z_;
     result.scale_G_ = result.scale_H_ * result.scale_z_;
     return result;
-}
-
-FringeAverage::Value FringeAverage::at(double z) const {
-    const double scaled = z * scale_z_, position = (scaled - first_) / step_;
-    if (position < 0.0) return {0.0, 0.0};
-    const std::vector<Node>& nodes = *nodes_;
-    if (!(position < double(nodes.size() - 1))) {  // Ai² → 1 / (2π √z), Ai'² → √z / 2π
-        const double mean = mean_square() * (0.5 / std::numbers::pi), root = std::sqrt(z);
-        return {mean / root, mean * root};
-    }
-    const auto k = std::size_t(position);
-    const double t = position - double(k), u = 1.0 - t;
-    const Node &a = nodes[k], &b = nodes[k + 1];
-    const double at_a = u * u * (1.0 + 2.0 * t), at_b = t * t * (1.0 + 2.0 * u);
-    const double slope_a = step_ * t * u * u * a.slope, slope_b = -step_ * t * t * u * b.slope;
-    const double z_a = first_ + double(k) * step_, z_b = z_a + step_;
-    return {scale_G_ * (at_a * a.G + at_b * b.G - 2.0 * (slope_a + slope_b)),
-            scale_H_ * (at_a * a.H + at_b * b.H + 2.0 * (z_a * slope_a + z_b * slope_b))};
 }
 
 }  // namespace dewbow

@@ -25,7 +25,7 @@ using namespace unit;
 constexpr std::size_t kSampledRadii = 256;
 constexpr double kCorrectedRatio = 1.15;
 /// CPU time for all corrections; those of small drops are large, and need to be better.
-constexpr double kCorrectionNs = 3e8, kSmallDrops = 400.0, kForSmallDrops = 4.0;
+constexpr double kCorrectionNs = 2e8, kSmallDrops = 400.0, kForSmallDrops = 4.0;
 /// Parts of an Airy unit, see AngleGrid: enough before the sun's disc.
 constexpr double kParts = 8.0;
 
@@ -79,8 +79,15 @@ private:
     DropAverages averages_;  ///< around the reference radius, at the reference wavelength
     CompositionFamily compositions_;
     std::vector<ComposedLight> light_;  ///< [wavelength]
+    /// What Mie theory adds at one radius, over Σ x².
+    struct Correction {
+        std::vector<std::size_t> angles;  ///< their numbers
+        std::vector<Intensities> more;    ///< [wavelength][of those angles]
+    };
+    Correction correction_at(Length radius, double budget_ns);
+
     std::vector<Length> centres_;
-    std::vector<MieCorrection> corrections_;  ///< [centre]
+    std::vector<Correction> corrections_;  ///< [centre]
     SunSmoother smoother_;
     double error_ = 0.0;
 };
@@ -145,22 +152,34 @@ WideRadii::WideRadii(const LeeRequest& request, std::span<const Length> radii)
     });
     const double steps =
         std::ceil(std::log(radii.back() / radii.front()) / std::log(kCorrectedRatio));
-    const double count = radii.size() == 1 ? 1.0 : steps + 1.0;
-    for (double k = 0.0; k < count; ++k) {
-        const Length radius =
-            radii.front() * std::pow(radii.back() / radii.front(), count == 1.0 ? 0.0 : k / steps);
-        centres_.push_back(radius);
-        const Cloud cloud = cloud_around(radius);
-        const AutomaticPlan plan = plan_angles(
-            request.optics.size_parameter(moments_of(cloud.radii).effective, reference_),
-            is_point(request.disc.radius), request.tolerance);
-        error_ = std::max(error_, plan.error);
-        const SummedOrders orders(cloud, reference_, compositions_,
-                                  averages_.rescaled(radius / reference_radius_));
-        const bool small = orders.averages().fringes.effective_size() < kSmallDrops;
-        corrections_.emplace_back(cloud, orders, request.wavelengths, angles_, plan.exact,
-                                  kCorrectionNs / count * (small ? kForSmallDrops : 1.0));
+    for (double k = 0.0; k <= steps; ++k) {
+        const double t = steps > 0.0 ? k / steps : 0.0;
+        centres_.push_back(radii.front() * std::pow(radii.back() / radii.front(), t));
+        corrections_.push_back(correction_at(centres_.back(), kCorrectionNs / (steps + 1.0)));
     }
+}
+
+WideRadii::Correction WideRadii::correction_at(Length radius, double budget_ns) {
+    const Cloud cloud = cloud_around(radius);
+    const double x = request_.optics.size_parameter(moments_of(cloud.radii).effective, reference_);
+    const AutomaticPlan plan = plan_angles(x, is_point(request_.disc.radius), request_.tolerance);
+    error_ = std::max(error_, plan.error);
+    const bool none = std::all_of(angles_.begin(), angles_.end(), [&](Angle angle) {
+        return exact_weight(plan.exact, angle) == 0.0;
+    });
+    if (none) return {};
+    const SummedOrders orders(cloud, reference_, compositions_,
+                              averages_.rescaled(radius / reference_radius_));
+    const MieCorrection mie(cloud, orders, request_.wavelengths, angles_, plan.exact,
+                            budget_ns * (x < kSmallDrops ? kForSmallDrops : 1.0));
+    Correction correction{{mie.corrected().begin(), mie.corrected().end()}, {}};
+    for (std::size_t w = 0; w < request_.wavelengths.size(); ++w)
+        for (std::size_t c = 0; c < mie.corrected().size(); ++c) {
+            const Intensities more = mie.at(w, c);
+            const double weight = mie.weights()[c];
+            correction.more.push_back({weight * more.perpendicular, weight * more.parallel});
+        }
+    return correction;
 }
 
 Cloud WideRadii::cloud_around(Length radius) const {
@@ -178,13 +197,13 @@ void WideRadii::add_corrections(Length radius, std::size_t w,
                                     : std::clamp(std::log(radius / centres_[lower]) /
                                                      std::log(centres_[upper] / centres_[lower]),
                                                  0.0, 1.0);
-    const auto add = [&](const MieCorrection& correction, double part) {
-        for (std::size_t c = 0; c < correction.corrected().size(); ++c) {
-            const Intensities more = correction.at(w, c);
-            Intensities& sum = per_square[correction.corrected()[c]];
-            const double weight = part * correction.weights()[c];
-            sum.perpendicular += weight * more.perpendicular;
-            sum.parallel += weight * more.parallel;
+    const auto add = [&](const Correction& correction, double part) {
+        const std::size_t count = correction.angles.size();
+        for (std::size_t c = 0; c < count; ++c) {
+            const Intensities& more = correction.more[w * count + c];
+            Intensities& sum = per_square[correction.angles[c]];
+            sum.perpendicular += part * more.perpendicular;
+            sum.parallel += part * more.parallel;
         }
     };
     if (lower != upper) add(corrections_[lower], 1.0 - t);
