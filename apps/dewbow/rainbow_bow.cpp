@@ -28,7 +28,8 @@ BowAround bow_all_around(RainbowTables& tables, const std::vector<Angle>& angles
     for (const double degrees : stepped(0.0, kLastClock_deg, kClockStep_deg)) {
         request.falling->place.clock = degrees * unit::deg;
         bow.clocks.push_back(request.falling->place.clock);
-        bow.colours.push_back(bow_colours(setup.table_of(request), *setup.light, *setup.white));
+        bow.colours.push_back(bow_colours(setup.table_of(request, RainbowSetup::Keep::nowhere),
+                                          *setup.light, *setup.white));
     }
     return bow;
 }

@@ -188,6 +188,8 @@ void RainbowCommandLine::add_output() {
     add_flag(*rainbow_, "--self-test", self_test_,
              "Compare with published tables, print a report, and end");
     add_option(*rainbow_, "--threads", threads_, "Threads to use. Default: all", "N");
+    add_flag(*rainbow_, "--no-cache", no_cache_,
+             "Neither read nor keep spectral tables in $XDG_CACHE_HOME/dewbow or ~/.cache/dewbow");
     add_flag(*rainbow_, "-q,--quiet", quiet_, "Say nothing but warnings and errors");
     add_flag(*rainbow_, "--json", json_, "Print one JSON object on standard output");
 }

@@ -9,6 +9,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/export/plot.h"
 #include "dewbow/image/png.h"
+#include "dewbow/rainbow/lee_table.h"
 #include "rainbow_bow.h"
 #include "rainbow_degrees.h"
 #include "rainbow_plots.h"
@@ -34,12 +35,48 @@ std::vector<Angle> angles_of(const Part& part) {
     return angles;
 }
 
+std::vector<Length> radii() {
+    std::vector<Length> all;
+    for (int k = 0; k < kRadii; ++k)
+        all.push_back(kSmallest * std::pow(kLargest.to(kSmallest), (k + 0.5) / kRadii));
+    return all;
+}
+
+/// The part of a Lee table that is of one radius. All wavelengths count as scattered alike: rows
+/// are as bright as each other anyway.
+ScatteringTable table_at(const LeeTable& lee, std::size_t radius) {
+    ScatteringTable table;
+    table.angles = lee.angles;
+    table.wavelengths = lee.wavelengths;
+    const std::size_t size = lee.angles.size() * lee.wavelengths.size();
+    const auto first = lee.phase.begin() + std::ptrdiff_t(radius * size);
+    table.phase.assign(first, first + std::ptrdiff_t(size));
+    table.efficiencies.assign(lee.wavelengths.size(), {1.0, 1.0, 0.0});
+    return table;
+}
+
+/// By auto, of drops that differ by 5 % in each row.
+std::vector<BowColours> automatic_bows(const RainbowSetup& setup, const TableRequest& request) {
+    LeeRequest lee;
+    lee.radii = radii();
+    lee.tolerance = request.tolerance;
+    lee.optics = request.optics;
+    lee.wavelengths = request.wavelengths;
+    lee.angles = request.angles;
+    lee.disc = request.disc;
+    const LeeTable table = make_lee_table(lee);
+    std::vector<BowColours> bows;
+    for (std::size_t k = 0; k < table.radii.size(); ++k)
+        bows.push_back(bow_colours(table_at(table, k), *setup.light, *setup.white));
+    return bows;
+}
+
 std::vector<BowColours> bows_of(const RainbowSetup& setup, const std::vector<Angle>& angles) {
     TableRequest request = setup.request_for(setup.models.front(), visible_wavelengths(), angles);
+    if (request.model == "auto" && request.orders.empty()) return automatic_bows(setup, request);
     std::vector<BowColours> bows;
-    for (int k = 0; k < kRadii; ++k) {
-        const double t = (k + 0.5) / kRadii;
-        request.sizes = single_drop_size(kSmallest * std::pow(kLargest.to(kSmallest), t));
+    for (const Length radius : radii()) {
+        request.sizes = single_drop_size(radius);
         bows.push_back(bow_colours(make_scattering_table(request), *setup.light, *setup.white));
     }
     return bows;

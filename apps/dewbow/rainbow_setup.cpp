@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "console.h"
 #include "dewbow/base/error.h"
 #include "dewbow/optics/catalogue.h"
 #include "dewbow/rainbow/mixed_table.h"
 #include "dewbow/rainbow/models.h"
+#include "dewbow/rainbow/table_cache.h"
 #include "dewbow/sky/direct_sun.h"
 #include "dewbow/spectrum/lamp.h"
 #include "rainbow_degrees.h"
@@ -168,11 +170,15 @@ TableRequest RainbowSetup::request_for(const std::string& model,
     return other;
 }
 
-ScatteringTable RainbowSetup::table_of(TableRequest wanted) const {
+ScatteringTable RainbowSetup::table_of(TableRequest wanted, Keep keep) const {
+    const std::filesystem::path folder =
+        cache && keep == Keep::on_disk ? default_cache_directory() : std::filesystem::path();
     std::vector<ScatteringTable> tables;
     for (const DropSizesPtr& sizes : showers) {
         wanted.sizes = sizes;
-        tables.push_back(make_scattering_table(wanted));
+        CachedTable made = cached_scattering_table(wanted, folder);
+        if (!made.note.empty()) print_message("note: " + made.note);
+        tables.push_back(std::move(made.table));
     }
     return tables.size() == 1 ? std::move(tables.front()) : mixed_evenly(tables);
 }

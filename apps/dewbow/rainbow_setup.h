@@ -35,8 +35,10 @@ struct RainbowSetup {
     /// models has all orders together.
     TableRequest request_for(const std::string& model, const std::vector<Wavelength>& wavelengths,
                              const std::vector<Angle>& angles) const;
-    /// The table of this request for all showers. Throws InputError.
-    ScatteringTable table_of(TableRequest request) const;
+    enum class Keep { nowhere, on_disk };
+    /// The table of this request for all showers; from the disk if it is kept there, unless
+    /// --no-cache was given. Throws InputError.
+    ScatteringTable table_of(TableRequest request, Keep keep) const;
     /// What a file has to say about how it was made.
     Attributes facts() const;
 };

@@ -22,7 +22,10 @@ const ScatteringTable& RainbowTables::get(const std::string& model,
         if (entry.model == model && entry.table.wavelengths == request.wavelengths &&
             entry.table.angles == request.angles)
             return entry.table;
-    entries_.push_back({model, setup_.table_of(request)});
+    // Curves cost less than a file.
+    const auto keep =
+        request.wavelengths.size() > 1 ? RainbowSetup::Keep::on_disk : RainbowSetup::Keep::nowhere;
+    entries_.push_back({model, setup_.table_of(request, keep)});
     return entries_.back().table;
 }
 

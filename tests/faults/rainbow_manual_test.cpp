@@ -27,6 +27,7 @@ std::vector<Words> commands() {
         Words words;
         for (std::string word; text >> word;) words.push_back(word);
         words.erase(words.begin());
+        words.push_back("--no-cache");
         all.push_back(words);
     }
     return all;

@@ -65,7 +65,7 @@ Image8 sky_picture(const BowAround& bow, const BowLook& look, const SkyView& vie
 /// @param bows  at least one.
 struct LeeView {
     Angle left, right;
-    int width = 480, height = 400;
+    int width = 360, height = 230;
 };
 Image8 lee_picture(const std::vector<BowColours>& bows, const PolarisationShares& shares,
                    const LeeView& view, const Spectrum& white);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dewbow/base/error.h"
+#include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/illuminant.h"
 
 namespace dewbow {
@@ -42,6 +43,27 @@ TEST(BowColours, WhiteIsWhite) {
         const auto rgb = srgb8_from_xyz(bow.unpolarised(40), settings, 3, 5);
         for (int c = 0; c < 3; ++c) EXPECT_GE(int(rgb[std::size_t(c)]), 255 - kCodes) << name;
     }
+}
+
+/// A phase function that is linear in the wavelength is integrated exactly: by sums in steps of
+/// 0.1 nm instead of hat functions of 5 nm.
+TEST(BowColours, IntegrateBetweenWavelengths) {
+    constexpr double kSteps = 1e-5;  // of midpoint sums in 0.5 and 0.1 nm steps
+    const SpectrumPtr light = find_illuminant("D65");
+    const auto phase = [](double nm) { return (nm - 380.0) / 400.0; };
+    const BowColours bow = bow_colours(table_of([&](double, double nm) {
+                                           return Intensities{phase(nm), phase(nm)};
+                                       }),
+                                       *light, *light);
+    std::array<double, 3> sum{};
+    double white = 0.0;
+    for (int k = 0; k < 4000; ++k) {
+        const double nm = 380.05 + 0.1 * k, power = (*light)(nm * unit::nm);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += phase(nm) * power * cie_xyz_bar(nm)[c];
+        white += power * cie_xyz_bar(nm)[1];
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(bow.unpolarised(7)[c], sum[c] / white, kSteps * sum[c] / white) << c;
 }
 
 /// What is brighter in the red looks red; a weaker, redder light makes it darker and redder.
