@@ -14,7 +14,7 @@ std::span<const RegionError> composition_errors(bool point) {
     static const std::array<RegionError, 11> disc = {{
         {{0.0 * deg, 6.0 * deg}, 0.016, 0.013},
         {{6.0 * deg, 15.0 * deg}, 0.009, 0.004},
-        {{15.0 * deg, 46.0 * deg}, 0.012, 0.006},
+        {{15.0 * deg, 46.0 * deg}, 0.012, 0.016},
         {{46.0 * deg, 60.0 * deg}, 0.016, 0.008},
         {{60.0 * deg, 82.0 * deg}, 0.016, 0.002},
         {{82.0 * deg, 125.0 * deg}, 0.009, 0.002},
