@@ -153,6 +153,19 @@ TEST_F(FileLockTest, WhatAKilledProcessLeftIsRemovedAndNothingElse) {
     EXPECT_EQ(entries(), 2);
 }
 
+TEST_F(FileLockTest, WhatAKilledProcessLeftInTheCurrentFolderIsRemoved) {
+    fs::current_path(folder_);
+    OtherProcess first([&] {
+        new FileLock("ring.exr");
+        new TemporaryFile("");
+    });
+    first.kill_and_wait();
+    EXPECT_EQ(entries(), 2);
+    { const FileLock second("ring.exr"); }
+    EXPECT_EQ(entries(), 0);
+    fs::current_path("/");
+}
+
 TEST_F(FileLockTest, DamagedLockFilesLockNothing) {
     for (const std::string text :
          {"", "pid", "pid x\nhost\n", "\n\n", "pid 99999999999999999999\n"}) {

@@ -83,7 +83,8 @@ int TemporaryFile::take_new_name(const fs::path& target) {
 void remove_temporary_files(const fs::path& folder, const ProcessIdentity& process) {
     const std::string beginning = name_beginning(process);
     std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const fs::path listed = folder.empty() ? fs::path(".") : folder;
+    for (fs::directory_iterator at(listed, error), end; !error && at != end; at.increment(error)) {
         const std::string name = at->path().filename().string();
         if (name.starts_with(beginning) && name.ends_with(".tmp")) ::unlink(at->path().c_str());
     }
