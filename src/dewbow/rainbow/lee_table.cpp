@@ -27,7 +27,7 @@ constexpr double kCorrectedRatio = 1.15;
 /// CPU time for all corrections; those of small drops are large, and need to be better.
 constexpr double kCorrectionNs = 2e8, kSmallDrops = 400.0, kForSmallDrops = 4.0;
 /// Parts of an Airy unit, see AngleGrid: enough before the sun's disc.
-constexpr double kParts = 8.0;
+constexpr double kParts = 6.0;
 
 void check(const LeeRequest& request) {
     if (request.radii.empty()) throw InputError("no drop radii; expected at least one");
