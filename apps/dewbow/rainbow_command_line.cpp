@@ -203,16 +203,19 @@ void RainbowCommandLine::read_model(Storm& storm) const {
     if (paper_) storm.paper = true;
 }
 
-void RainbowCommandLine::check_paper() const {
-    if (!paper_) return;
-    static const std::vector<std::string> with_paper = {"--paper",   "--output", "--plot",
-                                                        "--threads", "--quiet",  "--json"};
+void RainbowCommandLine::refuse_all_but(const std::vector<std::string>& names,
+                                        const std::string& reason) const {
     for (const CLI::Option* option : rainbow_->get_options())
         if (option->count() > 0 &&
-            std::none_of(with_paper.begin(), with_paper.end(),
+            std::none_of(names.begin(), names.end(),
                          [&](const std::string& name) { return option->check_name(name); }))
-            throw UsageError("--paper is a rainbow of its own: leave " + option->get_name() +
-                             " away");
+            throw UsageError(reason + ": leave " + option->get_name() + " away");
+}
+
+void RainbowCommandLine::check_paper() const {
+    if (!paper_) return;
+    refuse_all_but({"--paper", "--output", "--plot", "--threads", "--quiet", "--json"},
+                   "--paper is a rainbow of its own");
     for (const std::string& output : outputs_)
         if (ending_of(output) != ".csv")
             throw UsageError("--paper writes a table of fogs: expected -o FILE.csv, found \"" +
@@ -288,8 +291,13 @@ void RainbowCommandLine::read_sphere(RainbowCommand& command) const {
         throw UsageError("--amplitudes are of one sphere: --size-parameter is missing");
     if (!size_parameter_) return;
     command.size_parameter = parse_in_range("--size-parameter", *size_parameter_, kSizeParameters);
-    if (amplitudes_ && (!outputs_.empty() || !plots_.empty()))
+    const bool files = !outputs_.empty() || !plots_.empty();
+    if (amplitudes_ && files)
         throw UsageError("--amplitudes are printed: there is neither -o nor --plot for them");
+    if (!files)
+        refuse_all_but({"storm", "--size-parameter", "--index", "--model", "--order", "--angles",
+                        "--amplitudes", "--threads", "--no-cache", "--quiet", "--json"},
+                       "one sphere by number has neither sun nor sizes");
 }
 
 std::optional<RainbowCommand> RainbowCommandLine::command() const {

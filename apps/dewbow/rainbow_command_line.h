@@ -33,6 +33,8 @@ private:
     void read_view(Storm& storm) const;
     void read_sphere(RainbowCommand& command) const;
     /// Throws UsageError for what --paper does not go with.
+    /// Throws UsageError where an option was given that is none of `names`.
+    void refuse_all_but(const std::vector<std::string>& names, const std::string& reason) const;
     void check_paper() const;
 
     using Text = std::optional<std::string>;
