@@ -37,18 +37,12 @@ std::vector<Writer> writers() {
     return all;
 }
 
-std::string bytes_of(const Folder& folder, const std::string& name) {
-    const auto entries = folder.snapshot();
-    const auto found = entries.find((folder.path() / name).string());
-    return found == entries.end() ? "" : found->second;
-}
-
 /// How long the program's file is, where nothing is wrong.
 std::size_t whole_size(const Writer& writer) {
     const RenderFolder folder;
     const Outcome outcome = run_program(DEWBOW_BINARY, writer.words, folder.path());
     EXPECT_EQ(outcome.exit_code, 0) << writer.file << ": " << outcome.standard_error;
-    return bytes_of(folder, writer.file).size();
+    return bytes_of(folder.path() / writer.file).size();
 }
 
 std::function<bool()> with_size_limit(std::size_t bytes) {
@@ -139,7 +133,7 @@ TEST(NoSpace, StandardOutputIsAFileOfLimitedSize) {
         const Outcome outcome =
             run_program(DEWBOW_BINARY, words, folder.path(), {.prepare = prepare});
         EXPECT_EQ(outcome.exit_code, 1) << words[0];
-        EXPECT_LE(bytes_of(folder, "said").size(), kLimit);
+        EXPECT_LE(bytes_of(folder.path() / "said").size(), kLimit);
     }
 }
 

@@ -8,8 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "tiny_render.h"
@@ -31,10 +29,7 @@ TEST(OddPlaces, FifoGivesItsReaderTheWholePicture) {
         const fs::path fifo = folder.path() / name;
         ASSERT_EQ(::mkfifo(fifo.c_str(), 0666), 0);
         std::string read;
-        std::thread reader([&] {
-            std::ifstream file(fifo, std::ios::binary);
-            read.assign(std::istreambuf_iterator<char>(file), {});
-        });
+        std::thread reader([&] { read = bytes_of(fifo); });
         const Outcome outcome = render_to(folder, name);
         reader.join();
         EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;

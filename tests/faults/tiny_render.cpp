@@ -63,10 +63,13 @@ std::string pixels_of_bytes(const std::string& bytes, const std::string& name) {
     }
 }
 
+std::string bytes_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 std::string pixels_of(const fs::path& picture) {
-    if (!fs::exists(picture)) return "none";
-    std::ifstream file(picture, std::ios::binary);
-    return pixels_of_bytes({std::istreambuf_iterator<char>(file), {}}, picture.string());
+    return fs::exists(picture) ? pixels_of_bytes(bytes_of(picture), picture.string()) : "none";
 }
 
 std::string true_pixels(const std::string& name, const Words& more) {

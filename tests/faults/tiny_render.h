@@ -28,6 +28,9 @@ struct RenderFolder : Folder {
 /// The words of a render of a few milliseconds, but for where it writes to.
 Words tiny_render(const Words& more = {});
 
+/// What is in a file; empty if it is not there.
+std::string bytes_of(const std::filesystem::path& file);
+
 /// The values of all pixels of a PNG or EXR of ours, as a hash in text; what is wrong with it if it
 /// cannot be read; "none" if it is not there.
 std::string pixels_of(const std::filesystem::path& picture);
