@@ -18,7 +18,7 @@ inline constexpr const char* kState = "ring.exr.dewbow";
 
 /// 48x48 pixels of kTinyScene; half a second of one processor for 100 samples a pixel.
 struct Job {
-    int samples_per_pixel = 200;
+    int samples_per_pixel = 120;
     Seconds checkpoint_every{0.05};
 
     Words words(int threads, const Words& more = {}) const;

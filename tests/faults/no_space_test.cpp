@@ -192,6 +192,51 @@ TEST_P(FullDisk, OldPictureStaysUntilThereIsRoom) {
               true_pixels("ring." + GetParam(), {"--size", "32x32", "--spp", "1"}));
 }
 
+/// A state that cannot be kept is a warning; the picture is what counts.
+constexpr const char* kFullStateDisk = R"(
+    mkdir disk && mount -t tmpfs -o size=64k none disk || exit 99
+    "$1" render tiny.toml --size 48x48 --spp 60 --checkpoint disk/ring.dewbow \
+         --checkpoint-every 0.01s -o ring.exr
+    code=$?
+    ls -A disk
+    exit $code
+)";
+
+TEST(NoSpace, FullDiskOfTheState) {
+    const fs::path unshare = find_tool("unshare");
+    if (unshare.empty()) GTEST_SKIP() << "there is no unshare to mount a small file system with";
+    const RenderFolder folder;
+    const Outcome outcome = run_program(
+        unshare, {"-Urm", "sh", "-c", kFullStateDisk, "sh", DEWBOW_BINARY}, folder.path());
+    if (outcome.exit_code == 99 || outcome.standard_error.starts_with("unshare:"))
+        GTEST_SKIP() << "no small file system may be mounted here: " << outcome.standard_error;
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+    const std::string warning = "warning: the state of the render is not kept";
+    const std::size_t at = outcome.standard_error.find(warning);
+    ASSERT_NE(at, std::string::npos) << outcome.standard_error;
+    EXPECT_NE(outcome.standard_error.find("No space left on device", at), std::string::npos);
+    EXPECT_EQ(outcome.standard_error.find(warning, at + 1), std::string::npos) << "said once";
+    EXPECT_EQ(outcome.standard_output, "") << "something is left on the full disk";
+    EXPECT_EQ(pixels_of(folder.path() / "ring.exr"),
+              true_pixels("ring.exr", {"--size", "48x48", "--spp", "60"}));
+}
+
+/// The state beside a picture that cannot be written is kept, and gives the picture later.
+TEST(NoSpace, StateStaysWhereThePictureFails) {
+    const RenderFolder folder;
+    fs::create_symlink("/dev/full", folder.path() / "ring.exr");
+    const Words words = tiny_render({"-o", "ring.exr", "--checkpoint", "kept.dewbow"});
+    const Outcome full = run_program(DEWBOW_BINARY, words, folder.path());
+    EXPECT_EQ(full.exit_code, 1);
+    EXPECT_NE(full.standard_error.find("No space left on device"), std::string::npos);
+    ASSERT_TRUE(fs::exists(folder.path() / "kept.dewbow")) << full.standard_error;
+    fs::remove(folder.path() / "ring.exr");
+    const Outcome again = run_program(DEWBOW_BINARY, words + Words{"--resume"}, folder.path());
+    EXPECT_EQ(again.exit_code, 0) << again.standard_error;
+    EXPECT_EQ(pixels_of(folder.path() / "ring.exr"), true_pixels("ring.exr"));
+    EXPECT_FALSE(fs::exists(folder.path() / "kept.dewbow"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, FullDisk, testing::Values("png", "exr"));
 
 }  // namespace

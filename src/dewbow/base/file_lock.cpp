@@ -202,9 +202,10 @@ fs::path lock_file_of(const fs::path& path) {
     if (file.empty()) return {};
     const std::string name = file.filename().string();
     const std::string lock_name = fmt::format(".{}.lock", name);
-    return file.parent_path() / (lock_name.size() <= kLongestName
-                                     ? lock_name
-                                     : fmt::format(".{:016x}.lock", hash_of_text(name)));
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    return folder / (lock_name.size() <= kLongestName
+                         ? lock_name
+                         : fmt::format(".{:016x}.lock", hash_of_text(name)));
 }
 
 }  // namespace dewbow

@@ -142,15 +142,20 @@ TEST_F(FileLockTest, DevicesAndFifosAreNotLocked) {
 }
 
 TEST_F(FileLockTest, WhatAKilledProcessLeftIsRemovedAndNothingElse) {
-    OtherProcess first([&] {
-        new FileLock(at("ring.exr"));
-        new TemporaryFile(folder_);
-    });
-    const TemporaryFile alive(folder_);
-    first.kill_and_wait();
-    EXPECT_EQ(entries(), 3);
-    const FileLock second(at("ring.exr"));
-    EXPECT_EQ(entries(), 2);
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_);
+    for (const fs::path& name : {at("ring.exr"), fs::path("ring.exr")}) {
+        OtherProcess first([&] {
+            new FileLock(name);
+            new TemporaryFile(folder_);
+        });
+        const TemporaryFile alive(folder_);
+        first.kill_and_wait();
+        EXPECT_EQ(entries(), 3);
+        const FileLock second(name);
+        EXPECT_EQ(entries(), 2);
+    }
+    fs::current_path(before);
 }
 
 TEST_F(FileLockTest, WhatAKilledProcessLeftInTheCurrentFolderIsRemoved) {
