@@ -55,11 +55,15 @@ ScatteringTable table_at(const LeeTable& lee, std::size_t radius) {
     return table;
 }
 
+/// Rows are as bright as they can be, the secondary bow's too; tolerances are of the primary's
+/// peak.
+constexpr double kFinerThanTheRow = 4.0;
+
 /// By auto, of drops that differ by 5 % in each row.
 std::vector<BowColours> automatic_bows(const RainbowSetup& setup, const TableRequest& request) {
     LeeRequest lee;
     lee.radii = radii();
-    lee.tolerance = request.tolerance;
+    lee.tolerance = request.tolerance / kFinerThanTheRow;
     lee.optics = request.optics;
     lee.wavelengths = request.wavelengths;
     lee.angles = request.angles;

@@ -26,6 +26,8 @@ constexpr std::size_t kSampledRadii = 256;
 constexpr double kCorrectedRatio = 1.15;
 /// CPU time for all corrections; those of small drops are large, and need to be better.
 constexpr double kCorrectionNs = 2e8, kSmallDrops = 400.0, kForSmallDrops = 4.0;
+/// The tolerance that the times above are for. What is left by chance falls with the root of them.
+constexpr double kUsualTolerance = 0.02;
 /// Parts of an Airy unit, see AngleGrid: enough before the sun's disc.
 constexpr double kParts = 6.0;
 
@@ -150,12 +152,14 @@ WideRadii::WideRadii(const LeeRequest& request, std::span<const Length> radii)
     parallel_or_throw(light_.size(), [&](std::size_t w) {
         light_[w] = compositions_.at(request.optics.index(request.wavelengths[w])).at(angles_);
     });
+    const double finer = kUsualTolerance / request.tolerance;
     const double steps =
         std::ceil(std::log(radii.back() / radii.front()) / std::log(kCorrectedRatio));
     for (double k = 0.0; k <= steps; ++k) {
         const double t = steps > 0.0 ? k / steps : 0.0;
         centres_.push_back(radii.front() * std::pow(radii.back() / radii.front(), t));
-        corrections_.push_back(correction_at(centres_.back(), kCorrectionNs / (steps + 1.0)));
+        corrections_.push_back(
+            correction_at(centres_.back(), kCorrectionNs * finer * finer / (steps + 1.0)));
     }
 }
 
