@@ -11,6 +11,7 @@
 #include "dewbow/base/hash.h"
 #include "dewbow/image/exr.h"
 #include "dewbow/image/png.h"
+#include "dewbow/render/state.h"
 
 namespace dewbow::faults {
 namespace {
@@ -37,6 +38,16 @@ std::string png_pixels(const std::string& bytes) {
     return hash_text(
         image.width, image.height,
         hash_of_text({reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size()}));
+}
+
+/// Kept for --resume after a failure.
+bool is_whole_state(const fs::path& path) {
+    if (path.extension() != kStateExtension) return false;
+    try {
+        return load_state(path).plan.finished_units() > 0;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 }  // namespace
@@ -103,7 +114,8 @@ std::string losses(const std::map<std::string, std::string>& before, const Folde
         return outputs.contains(fs::path(path).lexically_relative(folder.path()).string());
     };
     for (const auto& [path, bytes] : after)
-        if (!is_output(path) && bytes_in(before, path) != bytes)
+        if (!is_output(path) && bytes_in(before, path) != bytes &&
+            !(outcome.exit_code != 0 && is_whole_state(path)))
             lost += path + " came or changed\n";
     for (const auto& [path, bytes] : before)
         if (!is_output(path) && !after.contains(path)) lost += path + " is gone\n";

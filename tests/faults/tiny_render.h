@@ -42,7 +42,8 @@ std::string pixels_of_bytes(const std::string& bytes, const std::string& name);
 std::string true_pixels(const std::string& name, const Words& more = {});
 
 /// What was lost, a line for each; empty if all is well. Each output holds its old bytes or the
-/// whole new picture, and after an exit code of 0 the new one; no other file came, went or changed.
+/// whole new picture, and after an exit code of 0 the new one; no other file came, went or changed,
+/// but for a state that is kept after a failure.
 /// @param outputs  names in the folder, with the pixels that they should have.
 std::string losses(const std::map<std::string, std::string>& before, const Folder& folder,
                    const Outcome& outcome, const std::map<std::string, std::string>& outputs);

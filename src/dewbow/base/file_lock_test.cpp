@@ -198,7 +198,7 @@ TEST_F(FileLockTest, WhatIsNoLockFileIsNotTouched) {
 }
 
 TEST_F(FileLockTest, NamesAsLongAsNamesCanBe) {
-    const std::string a = std::string(251, 'n') + ".exr", b = std::string(251, 'm') + ".exr";
+    const std::string a(255, 'n'), b(255, 'm');
     const FileLock lock(at(a));
     EXPECT_EQ(lock.remark(), "");
     EXPECT_TRUE(says(refusal_of(at(a)), "another process writes"));
