@@ -106,6 +106,9 @@ const std::vector<Option> kRenderOptions{
     {"--fps", {"--frame", "1"}, {"-24", "0", "1e10", "24fps"}, "0.001 to 1000000000"},
     {"--gamut", {}, {"0", "-1", "Clip", "towards_white"}, "--gamut is"},
     {"--wavelengths", {}, {"0", "Visual", "visible", "550"}, "--wavelengths is"},
+    {"--checkpoint", {}, {"0", "dewbow", "a.dewbow/", "a.exr", "/", "."}, "ends in .dewbow"},
+    {"--checkpoint-every", {}, {"-1", "0", "0s", "s", "1d", "1ms", "8761h"}, "a time such as 30s"},
+    {"--resume", {}, {"0", "dewbow", "a.dewbow/", "a.exr", "/", "."}, "ends in .dewbow"},
     {"--estimator", {}, {"0", "PATH", "path "}, "--estimator is"},
     {"--progress", {}, {"0", "Auto", "bars"}, "--progress is"},
     {"--output", {}, {"0", "png", "a.PNGG", "a.exr/", "/", ".", ".."}, "ends in .exr or .png"},
@@ -199,9 +202,9 @@ void refuses(const std::vector<std::string>& command, const Option& option,
         << option.name << " \"" << value << '"';
 }
 
-/// Of kNoNumbers, what some options take: lists of two numbers.
+/// Of kNoNumbers, what some options take: lists of two numbers, and no file for --resume.
 const std::set<std::pair<std::string, std::string>> right_after_all{
-    {"--pixel", "1,5"}, {"--order", "1,5"}, {"--angles", "1,5"}};
+    {"--resume", ""}, {"--pixel", "1,5"}, {"--order", "1,5"}, {"--angles", "1,5"}};
 
 void refuse_all(const std::vector<std::string>& command, const std::vector<Option>& options) {
     const Folder folder;
