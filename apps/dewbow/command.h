@@ -32,6 +32,11 @@ struct Replay {
     std::int64_t sample = 0;
 };
 
+/// `--slice K/N`: unit number (pass · tiles + tile) belongs to slice (number mod N) + 1.
+struct Slice {
+    std::size_t number = 1, count = 1;
+};
+
 /// `dewbow render`. What is not set is as the scene says.
 struct RenderCommand {
     std::string scene_file;
@@ -42,6 +47,7 @@ struct RenderCommand {
     std::optional<std::chrono::duration<double>> time_limit;
     std::optional<double> noise_target;
     std::optional<PixelRect> crop;
+    std::optional<Slice> slice;
     int threads = 0;  ///< 0 = all
     std::optional<std::uint64_t> seed;
     std::optional<int> packet;

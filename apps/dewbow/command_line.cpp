@@ -98,7 +98,7 @@ struct RenderTexts {
     SceneTexts scene;
     std::vector<std::string> outputs;
     std::optional<std::string> size, spp, time, noise, crop, threads, seed, packet, exposure, gamut,
-        spectral_bins, max_depth, wavelengths, estimator, pixel, sample, checkpoint,
+        slice, spectral_bins, max_depth, wavelengths, estimator, pixel, sample, checkpoint,
         checkpoint_every, progress;
     bool no_checkpoint = false, quiet = false, json = false;
     std::vector<std::string> resume_file;
@@ -222,6 +222,10 @@ private:
             "30s|2m|1h");
         add("--noise", t.noise, "Stop when the picture's relative noise is below this", "0.01");
         add("--crop", t.crop, "Render only this part of the picture", "X,Y,WxH");
+        add("--slice", t.slice,
+            "Render only the K-th of N equal parts of the work, into a state (" +
+                std::string(kStateExtension) + ") for dewbow merge",
+            "K/N");
         add("--threads", t.threads, "Threads to use. Default: all", "N");
         add("--seed", t.seed, "Seed of the random numbers", "N");
         add("--packet", t.packet, "Wavelengths that one path carries", alternatives(kPacketNames));
@@ -341,8 +345,11 @@ private:
         RenderCommand command;
         command.scene_file = scene_file(t.scene);
         command.load = load_options(t.scene);
+        read_slice(command);
+        const std::vector<std::string> endings =
+            t.slice ? std::vector<std::string>{std::string(kStateExtension)} : picture_extensions();
         for (const std::string& output : t.outputs)
-            command.outputs.push_back(parse_file_name("--output", output, picture_extensions()));
+            command.outputs.push_back(parse_file_name("--output", output, endings));
         command.quiet = t.quiet;
         command.json = t.json;
         if (t.size) command.size = parse_size("--size", *t.size);
@@ -356,6 +363,17 @@ private:
             command.estimator =
                 estimator_names()[parse_word("--estimator", *t.estimator, estimator_names())];
         return command;
+    }
+
+    void read_slice(RenderCommand& command) const {
+        const RenderTexts& t = render_texts_;
+        if (!t.slice) return;
+        if (t.time || t.noise)
+            throw UsageError(
+                "--slice is a part of the samples of --spp; with --time or --noise "
+                "nobody knows how many these are");
+        const SliceOf slice = parse_slice("--slice", *t.slice);
+        command.slice = Slice{slice.number, slice.count};
     }
 
     void read_effort(RenderCommand& command) const {

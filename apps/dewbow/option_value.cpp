@@ -109,6 +109,16 @@ PixelPlace parse_pixel(std::string_view option, std::string_view text) {
     refuse_value(option, text, fmt::format("X,Y such as 12,7, each 0 to {}", kMaxSide - 1));
 }
 
+SliceOf parse_slice(std::string_view option, std::string_view text) {
+    constexpr int kMostSlices = 1'000'000;
+    if (const auto parts = split(text, '/')) {
+        const auto count = parse_int_in(parts->second, 1, kMostSlices);
+        const auto number = count ? parse_int_in(parts->first, 1, *count) : std::nullopt;
+        if (number) return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
+    }
+    refuse_value(option, text, fmt::format("K/N such as 2/8, N 1 to {} and K 1 to N", kMostSlices));
+}
+
 std::chrono::duration<double> parse_duration(std::string_view option, std::string_view text) {
     constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
     std::string_view number = text;

@@ -35,6 +35,11 @@ struct PixelPlace {
     int x = 0, y = 0;
 };
 PixelPlace parse_pixel(std::string_view option, std::string_view text);
+/// "K/N", 1 <= K <= N.
+struct SliceOf {
+    std::size_t number = 1, count = 1;
+};
+SliceOf parse_slice(std::string_view option, std::string_view text);
 /// "30s", "1.5m", "2h"; a number alone is seconds.
 std::chrono::duration<double> parse_duration(std::string_view option, std::string_view text);
 

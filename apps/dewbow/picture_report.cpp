@@ -17,6 +17,22 @@ namespace {
 /// The share of invalid samples above which a picture is not to be trusted.
 constexpr double kAllowedInvalidShare = 1e-6;
 
+/// A slice is finished, and yet no picture.
+bool is_complete(const SessionResult& result) {
+    return result.reason == StopReason::time || result.reason == StopReason::noise ||
+           result.finished_units == result.planned_units;
+}
+
+nlohmann::ordered_json json_of(const TeamReport& team) {
+    return {{"units_of_rank", team.units_of_rank},
+            {"lost_ranks", team.lost_ranks},
+            {"leases_dealt_again", team.leases_dealt_again},
+            {"results", team.results},
+            {"result_bytes", team.result_bytes},
+            {"coordinating_seconds", team.coordinating_seconds},
+            {"rendering_seconds", team.rendering_seconds}};
+}
+
 }  // namespace
 
 std::vector<std::string> write_pictures(const std::vector<std::filesystem::path>& paths,
@@ -49,20 +65,21 @@ std::string samples_text(double samples_per_pixel) {
 }
 
 void print_json(const SessionResult& result, const std::vector<std::filesystem::path>& paths,
-                const std::string& fingerprint) {
+                const std::string& fingerprint, const TeamReport* team) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const std::filesystem::path& path : paths) files.push_back(path.string());
-    const nlohmann::ordered_json object{
+    nlohmann::ordered_json object{
         {"files", files},
         {"samples_per_pixel", result.samples_per_pixel},
         {"samples", result.samples},
         {"seconds", result.seconds},
-        {"complete", result.reason != StopReason::interrupted},
+        {"complete", is_complete(result)},
         {"reason", to_string(result.reason)},
         {"invalid_samples", result.invalid_samples},
         {"fingerprint", fingerprint},
         {"film_hash", fmt::format("{:016x}", result.film_hash)},
     };
+    if (team) object["ranks"] = json_of(*team);
     // A file's name need not be UTF-8.
     print_data(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dewbow/render/farm/team.h"
 #include "dewbow/render/output.h"
 
 namespace dewbow {
@@ -22,9 +23,9 @@ std::string joined(const std::vector<std::filesystem::path>& paths);
 /// "16", "2.50"
 std::string samples_text(double samples_per_pixel);
 
-/// @param fingerprint  of the program that rendered
+/// @param fingerprint  of the program that rendered.  @param team  if it had several ranks
 void print_json(const SessionResult& result, const std::vector<std::filesystem::path>& paths,
-                const std::string& fingerprint);
+                const std::string& fingerprint, const TeamReport* team = nullptr);
 
 /// kDone or kTooManyInvalid.
 int exit_code_by_samples(const SessionResult& result);

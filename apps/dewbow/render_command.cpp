@@ -5,27 +5,24 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <system_error>
 
 #include "checkpoint_file.h"
 #include "command.h"
 #include "console.h"
 #include "dewbow/base/check.h"
-#include "dewbow/base/checksum.h"
 #include "dewbow/base/error.h"
+#include "dewbow/base/file.h"
 #include "dewbow/base/file_lock.h"
-#include "dewbow/base/hash.h"
 #include "dewbow/base/parallel.h"
-#include "dewbow/base/read_record.h"
-#include "dewbow/import/import.h"
 #include "dewbow/render/exposure.h"
+#include "dewbow/render/farm/team.h"
 #include "dewbow/render/output.h"
-#include "dewbow/render/picture_settings.h"
 #include "dewbow/render/session.h"
 #include "interrupt.h"
-#include "memory.h"
 #include "picture_report.h"
+#include "render_ranks.h"
+#include "render_setup.h"
 
 namespace dewbow {
 
@@ -34,103 +31,13 @@ namespace {
 std::vector<std::filesystem::path> output_paths(const RenderCommand& command) {
     if (!command.outputs.empty()) return {command.outputs.begin(), command.outputs.end()};
     const std::filesystem::path stem = std::filesystem::path(command.scene_file).stem();
+    if (command.slice)
+        return {fmt::format("{}.slice-{}-of-{}{}", stem.string(), command.slice->number,
+                            command.slice->count, kStateExtension)};
     std::vector<std::filesystem::path> paths;
     for (const std::string& extension : picture_extensions())
         paths.push_back(stem.string() + extension);
     return paths;
-}
-
-/// The options of `load`, as they are typed.
-std::string load_options_text(const LoadOptions& load) {
-    std::string text;
-    if (!load.camera.empty()) text += " --camera " + shell_quoted(load.camera);
-    if (load.frame)
-        text += fmt::format(" --frame {} --fps {}", *load.frame, load.frames_per_second);
-    for (const GlassOverride& glass : load.glasses)
-        text += " --glass " + shell_quoted(glass.material + "=" + glass.glass);
-    if (!load.environment.empty()) text += " --env " + shell_quoted(load.environment);
-    for (const std::string& setting : load.settings) text += " --set " + shell_quoted(setting);
-    return text;
-}
-
-/// The command that replays a sample, but for --pixel, --sample and --seed: all that a sample
-/// depends on.
-std::string replay_command(const RenderCommand& command) {
-    std::string text = "dewbow render " + shell_quoted(command.scene_file);
-    text += load_options_text(command.load);
-    if (command.size)
-        text += fmt::format(" --size {}x{}", command.size->width, command.size->height);
-    if (command.packet) text += fmt::format(" --packet {}", *command.packet);
-    if (command.max_depth) text += fmt::format(" --max-depth {}", *command.max_depth);
-    if (command.wavelengths)
-        text += *command.wavelengths == WavelengthSampling::visual ? " --wavelengths visual"
-                                                                   : " --wavelengths uniform";
-    if (!command.estimator.empty()) text += " --estimator " + command.estimator;
-    return text;
-}
-
-/// Makes the scene what the options say.
-void apply_options(const RenderCommand& command, Scene& scene) {
-    const auto set = [](auto& value, const auto& wish) {
-        if (wish) value = *wish;
-    };
-    if (command.exposure_stops || command.automatic_exposure)
-        scene.film.exposure =
-            command.automatic_exposure ? ExposureMode::automatic : ExposureMode::fixed;
-    set(scene.film.exposure_stops, command.exposure_stops);
-    set(scene.film.spectral_bins, command.spectral_bins);
-    set(scene.render.samples_per_pixel, command.samples_per_pixel);
-    set(scene.render.seed, command.seed);
-    set(scene.render.packet, command.packet);
-    set(scene.render.max_depth, command.max_depth);
-    set(scene.render.wavelengths, command.wavelengths);
-}
-
-void print_diagnostics(const Diagnostics& diagnostics) {
-    std::set<std::string> printed;
-    for (const Diagnostic& diagnostic : diagnostics) {
-        const std::string place = to_string(diagnostic.place);
-        std::string line = "warning: " + (place.empty() ? "" : place + ": ") + diagnostic.text;
-        std::replace(line.begin(), line.end(), '\n', ' ');  // one line, whatever a name holds
-        if (printed.insert(line).second) print_message(presentable(line));
-    }
-}
-
-/// A scene, and a hash of the files and options that it was made from: of the files their contents
-/// and not their names.
-struct LoadedScene {
-    Scene scene;
-    std::uint64_t hash = 0;
-};
-
-std::uint64_t scene_hash(const LoadOptions& load, std::uint64_t contents) {
-    LoadOptions options = load;
-    if (!options.environment.empty()) options.environment = "given";
-    Checksum checksum;
-    checksum.add(load_options_text(options));
-    return hash_combine(contents, checksum.value());
-}
-
-LoadedScene load(const RenderCommand& command) {
-    const ReadRecord record;
-    LoadOptions options = command.load;
-    if (command.size) options.width = command.size->width, options.height = command.size->height;
-    ImportedScene imported = load_scene(command.scene_file, options);
-    print_diagnostics(imported.diagnostics);
-    apply_options(command, imported.scene);
-    validate_view(imported.scene);
-    return {std::move(imported.scene), scene_hash(options, record.hash())};
-}
-
-const EstimatorRow& estimator_of(const RenderCommand& command) {
-    for (const EstimatorRow& row : estimators())
-        if (command.estimator.empty() || row.name == command.estimator) return row;
-    throw InputError("this program was built without estimators");
-}
-
-void check_memory_of(const Scene& scene, const SessionOptions& options) {
-    const PixelRect whole{0, 0, scene.film.width, scene.film.height};
-    check_memory(options.crop.value_or(whole), scene.film.spectral_bins);
 }
 
 // ---- one sample --------------------------------------------------------------------------------
@@ -211,37 +118,12 @@ int exit_code(const SessionResult& result) {
     return exit_code_by_samples(result);
 }
 
-SessionOptions session_options(const RenderCommand& command) {
-    SessionOptions options;
-    options.crop = command.crop;
-    options.time_limit = command.time_limit;
-    options.noise_target = command.noise_target;
-    options.progress = command.progress;
-    options.title = "render " + std::filesystem::path(command.scene_file).filename().string();
-    options.stop = &stop_requested();
-    return options;
-}
-
-/// For those who make pictures of the state without the scene.
-PictureSettings picture_settings(const RenderCommand& command, const Scene& scene) {
-    return {std::filesystem::path(command.scene_file).filename().string(),
-            scene.render.packet,
-            scene.film.white_luminance,
-            scene.film.exposure,
-            scene.film.exposure_stops,
-            command.gamut};
-}
-
-void check_crop(const PixelRect& crop, const Film& film) {
-    if (crop.x1 <= film.width && crop.y1 <= film.height) return;
-    throw UsageError(
-        fmt::format("--crop is {},{},{}x{}; it must lie in the picture of {}x{} pixels", crop.x0,
-                    crop.y0, crop.width(), crop.height(), film.width, film.height));
-}
-
 /// Throws InputError if the picture could not be written there in the end.
 void check_output(const std::filesystem::path& path) {
-    check_picture_path(path);
+    if (path.extension() == kStateExtension)
+        check_writable(path);
+    else
+        check_picture_path(path);
     std::error_code error;  // what is not there yet is none; a name that is too long is one
     static_cast<void>(std::filesystem::status(path, error));
     if (error && error != std::errc::no_such_file_or_directory)
@@ -273,8 +155,45 @@ void tell_of_exposure(const RenderCommand& command, const Film& film, double sto
                     stops));
 }
 
+/// The units of one slice: every `count`-th, so that slices cost about the same.
+std::function<bool(std::size_t, std::size_t)> units_of(const Slice& slice, std::size_t tiles) {
+    return [slice, tiles](std::size_t pass, std::size_t tile) {
+        return (pass * tiles + tile) % slice.count == slice.number - 1;
+    };
+}
+
+/// A slice is no picture: its state is written, for `dewbow merge`.
+int write_slice(const RenderCommand& command, const std::vector<std::filesystem::path>& paths,
+                const RenderState& state, const SessionResult& result, CheckpointFile& checkpoint) {
+    if (result.reason == StopReason::interrupted) {
+        if (!checkpoint.keep(state)) throw InputError("interrupted; nothing of the slice is kept");
+        if (!command.quiet) print_message(checkpoint.way_on());
+        return exit_code(result);
+    }
+    std::vector<std::string> failures;
+    for (const std::filesystem::path& path : paths) {
+        try {
+            write_file_atomically(path, [&](const ByteSink& sink) { write_state(state, sink); });
+        } catch (const InputError& error) {
+            failures.push_back(error.what());
+        }
+    }
+    if (!failures.empty()) return keep_after_failure(failures, state, checkpoint);
+    checkpoint.remove();
+    if (!command.quiet)
+        print_message(
+            presentable(fmt::format("{}: slice {} of {}, {} of {} units, for dewbow merge",
+                                    joined(paths), command.slice->number, command.slice->count,
+                                    result.finished_units, result.planned_units)));
+    if (command.json) print_json(result, paths, fingerprint());
+    return exit_code(result);
+}
+
+const TeamReport* rank_report(const Team* team) { return team ? &team->report() : nullptr; }
+
+/// @param ranks,team  the other ranks, or nullptr
 int render_picture(const RenderCommand& command, const LoadedScene& loaded,
-                   const std::vector<std::filesystem::path>& paths) {
+                   const std::vector<std::filesystem::path>& paths, Ranks* ranks, Team* team) {
     const Scene& scene = loaded.scene;
     if (command.crop) check_crop(*command.crop, scene.film);
     SessionOptions options = session_options(command);
@@ -282,11 +201,13 @@ int render_picture(const RenderCommand& command, const LoadedScene& loaded,
     const EstimatorRow& method = estimator_of(command);
     CheckpointFile checkpoint(command.checkpoint, paths.front());
     options.checkpoints = checkpoint.checkpoints();
-    RenderIdentity identity = render_identity(scene, options, method.name, loaded.hash);
-    identity.picture = text_of(picture_settings(command, scene));
-    RenderState state = checkpoint.begin(std::move(identity));
+    options.team = team;
+    RenderState state = checkpoint.begin(identity_of(command, loaded, options));
+    if (command.slice) options.selects = units_of(*command.slice, state.plan.tiles());
     const SessionResult result = run_session(*method.make(scene), options, state);
+    if (ranks && team->all_have_left()) ranks->close();
     warn_of_invalid_samples(state.film, scene, result);
+    if (command.slice) return write_slice(command, paths, state, result, checkpoint);
     if (result.finished_units == 0) {
         print_message("interrupted before anything was rendered; no picture is written");
         return exit_code(result);
@@ -298,16 +219,28 @@ int render_picture(const RenderCommand& command, const LoadedScene& loaded,
     display.exposure_stops = exposure_of(state.film, scene.film);
     tell_of_exposure(command, scene.film, display.exposure_stops);
     display.gamut = command.gamut;
-    const std::string scene_name = std::filesystem::path(command.scene_file).filename().string();
-    const std::vector<std::string> failures =
-        write_pictures(paths, state.film, scene, display, render_facts(scene, result, scene_name));
+    const std::vector<std::string> failures = write_pictures(
+        paths, state.film, scene, display, render_facts(scene, result, scene_name(command)));
     if (!failures.empty()) return keep_after_failure(failures, state, checkpoint);
     if (!interrupted) checkpoint.remove();
 
     if (!command.quiet) print_message(summary(result, paths));
     if (kept && !command.quiet) print_message(checkpoint.way_on());
-    if (command.json) print_json(result, paths, fingerprint());
+    if (command.json) print_json(result, paths, fingerprint(), rank_report(team));
     return exit_code(result);
+}
+
+/// @param ranks,team  the other ranks, or nullptr
+int render(const RenderCommand& command, Ranks* ranks, Team* team) {
+    if (ranks && command.slice)
+        throw UsageError(
+            "--slice is for machines that do not know each other; ranks share the "
+            "whole picture");
+    // What would make the render useless at its end is found before it begins.
+    const std::vector<std::filesystem::path> paths = output_paths(command);
+    for (const std::filesystem::path& path : paths) check_output(path);
+    const std::vector<FileLock> locks = lock_outputs(command, paths);
+    return render_picture(command, load(command), paths, ranks, team);
 }
 
 }  // namespace
@@ -316,12 +249,11 @@ int run_render(const RenderCommand& command) {
     set_thread_count(command.threads);
     set_replay_command(replay_command(command));
     if (command.replay) return replay(command, load(command).scene);
-
-    // What would make the render useless at its end is found before it begins.
-    const std::vector<std::filesystem::path> paths = output_paths(command);
-    for (const std::filesystem::path& path : paths) check_output(path);
-    const std::vector<FileLock> locks = lock_outputs(command, paths);
-    return render_picture(command, load(command), paths);
+    const std::unique_ptr<Ranks> ranks = open_ranks();
+    if (!ranks) return render(command, nullptr, nullptr);
+    if (ranks->transport().rank() > 0) return work_as_other_rank(command, *ranks);
+    return render_as_rank_0(*ranks,
+                            [&](Team& team) { return render(command, ranks.get(), &team); });
 }
 
 }  // namespace dewbow

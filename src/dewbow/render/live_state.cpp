@@ -15,15 +15,18 @@ std::size_t LiveState::finished_units() const {
     return state_.plan.finished_units();
 }
 
-void LiveState::hand_in(std::size_t pass, std::size_t tile, const FilmSums& part) {
+void LiveState::hand_in(std::size_t first_pass, std::size_t end_pass, std::size_t tile,
+                        const FilmSums& part) {
     const std::scoped_lock pixels(lock_of(tile));
     state_.film.add_pixels(part);
     const std::scoped_lock lock(plan_lock_);
-    state_.plan.set_finished(pass, tile);
+    for (std::size_t pass = first_pass; pass < end_pass; ++pass)
+        state_.plan.set_finished(pass, tile);
     const InvalidSamples invalid = part.invalid();
     state_.film.add_invalid(invalid);
     if (!snapshot_ || snapshot_->copied[tile]) return;
-    snapshot_->plan.set_finished(pass, tile);
+    for (std::size_t pass = first_pass; pass < end_pass; ++pass)
+        snapshot_->plan.set_finished(pass, tile);
     snapshot_->invalid.add(invalid);
 }
 

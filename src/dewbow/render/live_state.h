@@ -22,8 +22,9 @@ public:
     /// Whether that unit has been handed in.
     bool finished(std::size_t pass, std::size_t tile) const;
     std::size_t finished_units() const;
-    /// Any thread.
-    void hand_in(std::size_t pass, std::size_t tile, const FilmSums& part);
+    /// Sums of units that are finished: passes [first_pass, end_pass) of one tile. Any thread.
+    void hand_in(std::size_t first_pass, std::size_t end_pass, std::size_t tile,
+                 const FilmSums& part);
 
     /// What write_state writes, with `seconds` as the state's time. One thread at a time. What the
     /// sink throws passes through.

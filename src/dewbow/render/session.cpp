@@ -15,6 +15,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/render/accelerator.h"
+#include "dewbow/render/farm/team.h"
 #include "dewbow/render/live_state.h"
 #include "dewbow/spectrum/cie.h"
 
@@ -91,6 +92,7 @@ public:
         {
             const CheckpointKeeper keeper(options_, live_, [this] { return seconds(); });
             result.reason = render_passes();
+            if (options_.team) options_.team->part();
         }
         if (has_goal()) advance_by_share();
         progress_.finish();
@@ -113,6 +115,7 @@ private:
 
     /// Starts with the last finished pass: whether to stop there may not have been asked yet.
     StopReason render_passes() {
+        if (options_.team) return render_with_team(*options_.team);
         const std::size_t open = plan().first_open_pass();
         for (std::size_t pass = open > 0 ? open - 1 : 0; pass < plan().passes(); ++pass) {
             parallel_for(plan().tiles(), [&](std::size_t tile) { render_unit(pass, tile); });
@@ -121,6 +124,20 @@ private:
             if (const auto reason = reason_to_stop_after(pass)) return *reason;
         }
         return StopReason::complete;
+    }
+
+    StopReason render_with_team(Team& team) {
+        DEWBOW_CHECK(!options_.selects, "a team renders all units");
+        std::size_t end =
+            has_goal() ? std::max<std::size_t>(plan().first_open_pass(), 1) : plan().passes();
+        for (;; ++end) {
+            team.render(
+                estimator_, state_, live_, end, [this](std::size_t units) { advance(units); },
+                [this] { return stopped(); });
+            if (plan().first_open_pass() < end) return StopReason::interrupted;
+            if (end == plan().passes()) return StopReason::complete;
+            if (const auto reason = reason_to_stop_after(end - 1)) return *reason;
+        }
     }
 
     std::optional<StopReason> reason_to_stop_after(std::size_t pass) {
@@ -145,11 +162,15 @@ private:
         layout.crop = unit.tile;
         FilmSums part(layout);
         estimator_.render(unit, part);
-        live_.hand_in(pass, tile, part);
+        live_.hand_in(pass, pass + 1, tile, part);
+        advance(1);
+    }
+
+    void advance(std::size_t units) {
         if (has_goal())
             advance_by_share();
         else
-            progress_.advance();
+            progress_.advance(units);
     }
 
     bool has_goal() const { return options_.time_limit || options_.noise_target; }

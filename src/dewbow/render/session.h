@@ -18,6 +18,8 @@ namespace dewbow {
 /// From fewer samples a pixel's noise cannot be told.
 inline constexpr int kLeastSamplesForNoise = 16;
 
+class Team;
+
 /// Writes the state of the moment to a sink.
 using StateOfTheMoment = std::function<void(const ByteSink&)>;
 
@@ -46,6 +48,8 @@ struct SessionOptions {
     /// noise_target.
     std::function<bool(std::size_t pass, std::size_t tile)> selects;
     std::optional<Checkpoints> checkpoints;
+    /// Other ranks that render too; they have been told to leave when run_session returns.
+    Team* team = nullptr;
 };
 
 enum class StopReason { complete, time, noise, interrupted };

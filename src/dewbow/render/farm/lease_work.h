@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A lease is rendered, and its sums are added to a film.
+// A lease is rendered, and its sums are added to a state.
 
 #include <functional>
 
 #include "dewbow/render/estimator.h"
 #include "dewbow/render/farm/message.h"
-#include "dewbow/render/unit_plan.h"
+#include "dewbow/render/live_state.h"
 
 namespace dewbow {
 
@@ -18,8 +18,12 @@ namespace dewbow {
 message::Result render_lease(const Lease& lease, const Estimator& estimator, const UnitPlan& plan,
                              const FilmLayout& layout, const std::function<bool()>& stopped);
 
-/// Adds `result` to film and plan. Throws InputError, and leaves both as they are, if it is no
-/// result of open units of this plan.
-void add_result(const message::Result& result, UnitPlan& plan, FilmSums& film);
+/// Throws InputError unless the pieces are of open units of `plan`, each once, with as many pixels
+/// as they must have.
+void check_pieces(const message::Result& result, const UnitPlan& plan, const FilmLayout& layout);
+
+/// Adds pieces that check_pieces has let pass. Returns how many units they are.
+std::size_t add_pieces(const message::Result& result, const UnitPlan& plan,
+                       const FilmLayout& layout, LiveState& to);
 
 }  // namespace dewbow

@@ -47,25 +47,33 @@ void append_text(std::string& to, std::string_view text) {
     to += text;
 }
 
+void append(std::string& to, const UnitRun& run) {
+    append_value(to, run.tile);
+    append_value(to, run.first_pass);
+    append_value(to, run.end_pass);
+}
+
 void append(std::string& to, const Lease& lease) {
     append_value(to, lease.number);
     append_value<std::uint64_t>(to, lease.runs.size());
-    for (const UnitRun& run : lease.runs) {
-        append_value(to, run.tile);
-        append_value(to, run.first_pass);
-        append_value(to, run.end_pass);
-    }
+    for (const UnitRun& run : lease.runs) append(to, run);
+}
+
+constexpr std::size_t kRunBytes = 3 * sizeof(std::uint64_t);
+
+UnitRun read_run(Reader& from) {
+    UnitRun run;
+    run.tile = read_value<std::uint64_t>(from);
+    run.first_pass = read_value<std::uint64_t>(from);
+    run.end_pass = read_value<std::uint64_t>(from);
+    if (run.first_pass >= run.end_pass) refuse("passes end before they begin");
+    return run;
 }
 
 Lease read_lease(Reader& from) {
     Lease lease{read_value<std::uint64_t>(from), {}};
-    lease.runs.resize(from.count(3 * sizeof(std::uint64_t)));
-    for (UnitRun& run : lease.runs) {
-        run.tile = read_value<std::uint64_t>(from);
-        run.first_pass = read_value<std::uint64_t>(from);
-        run.end_pass = read_value<std::uint64_t>(from);
-        if (run.first_pass >= run.end_pass) refuse("passes end before they begin");
-    }
+    lease.runs.resize(from.count(kRunBytes));
+    for (UnitRun& run : lease.runs) run = read_run(from);
     return lease;
 }
 
@@ -99,9 +107,13 @@ struct Body {
     }
     void operator()(const Work& work) const { append(to, work.lease); }
     void operator()(const Result& result) const {
-        append(to, result.lease);
-        append_text(to, result.pixels);
-        append(to, result.invalid);
+        append_value(to, result.lease);
+        append_value<std::uint64_t>(to, result.pieces.size());
+        for (const Piece& piece : result.pieces) {
+            append(to, piece.run);
+            append_text(to, piece.pixels);
+            append(to, piece.invalid);
+        }
         append_value(to, result.seconds);
     }
     void operator()(const Bye& bye) const { append_text(to, bye.reason); }
@@ -117,9 +129,13 @@ void read_body(Hello& hello, Reader& from) {
 }
 void read_body(Work& work, Reader& from) { work.lease = read_lease(from); }
 void read_body(Result& result, Reader& from) {
-    result.lease = read_lease(from);
-    result.pixels = from.text();
-    result.invalid = read_invalid(from);
+    result.lease = read_value<std::uint64_t>(from);
+    result.pieces.resize(from.count(kRunBytes));
+    for (Piece& piece : result.pieces) {
+        piece.run = read_run(from);
+        piece.pixels = from.text();
+        piece.invalid = read_invalid(from);
+    }
     result.seconds = read_value<double>(from);
 }
 void read_body(Bye& bye, Reader& from) { bye.reason = from.text(); }

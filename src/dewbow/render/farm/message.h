@@ -41,18 +41,22 @@ struct Lease {
 namespace message {
 
 struct Hello {
-    std::string identity;  ///< of the render; ranks of different renders do not work together
+    std::string identity;  ///< identity_bytes of the render
     int threads = 1;
 };
 struct Request {};
 struct Work {
     Lease lease;
 };
-/// The runs of a lease that are finished: all of them, or what there was when the render ended.
-struct Result {
-    Lease lease;
-    std::string pixels;  ///< FilmSums::append_pixels of the tile of each run
+/// A run that is finished, or its begin if the render ended.
+struct Piece {
+    UnitRun run;
+    std::string pixels;  ///< FilmSums::append_pixels of the tile
     InvalidSamples invalid;
+};
+struct Result {
+    std::uint64_t lease = 0;  ///< its number
+    std::vector<Piece> pieces;
     double seconds = 0.0;  ///< that rendering took
 };
 struct Alive {};

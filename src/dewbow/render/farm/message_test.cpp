@@ -11,7 +11,8 @@ namespace {
 using namespace message;
 
 const Lease kLease{7, {{3, 0, 2}, {4, 1, 2}}};
-const Result kResult{kLease, "pixels", {2, {{1, 2, 3}, {4, 5, 6}}}, 0.25};
+const Result kResult{
+    7, {{{3, 0, 2}, "pixels", {2, {{1, 2, 3}, {4, 5, 6}}}}, {{4, 1, 2}, {}, {}}}, 0.25};
 
 TEST(Message, ComesBackAsItWasSent) {
     const auto hello = std::get<Hello>(message_from_bytes(bytes_of(Hello{"who", 5})));
@@ -23,10 +24,14 @@ TEST(Message, ComesBackAsItWasSent) {
     EXPECT_FALSE(std::get<Leave>(message_from_bytes(bytes_of(Leave{false}))).all_present);
 
     const auto result = std::get<Result>(message_from_bytes(bytes_of(kResult)));
-    EXPECT_EQ(result.lease, kLease);
-    EXPECT_EQ(result.pixels, kResult.pixels);
-    EXPECT_EQ(result.invalid.count, kResult.invalid.count);
-    EXPECT_EQ(result.invalid.first, kResult.invalid.first);
+    EXPECT_EQ(result.lease, kResult.lease);
+    ASSERT_EQ(result.pieces.size(), kResult.pieces.size());
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) {
+        EXPECT_EQ(result.pieces[i].run, kResult.pieces[i].run);
+        EXPECT_EQ(result.pieces[i].pixels, kResult.pieces[i].pixels);
+        EXPECT_EQ(result.pieces[i].invalid.count, kResult.pieces[i].invalid.count);
+        EXPECT_EQ(result.pieces[i].invalid.first, kResult.pieces[i].invalid.first);
+    }
     EXPECT_EQ(result.seconds, kResult.seconds);
 
     for (const Message& message :

@@ -9,9 +9,9 @@
 #include "dewbow/base/error.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/base/random.h"
-#include "dewbow/render/farm/coordinator.h"
 #include "dewbow/render/farm/in_process_ranks.h"
 #include "dewbow/render/farm/lease_work.h"
+#include "dewbow/render/farm/team.h"
 #include "dewbow/render/farm/worker.h"
 
 namespace dewbow {
@@ -45,52 +45,60 @@ private:
 
 constexpr FilmLayout kLayout{70, 40, {2, 3, 69, 40}, 3, 0};
 constexpr std::int64_t kSamples = 41;
-const std::string kIdentity = "this render";
+
+RenderIdentity identity() {
+    RenderIdentity identity;
+    identity.film = kLayout;
+    identity.samples_per_pixel = kSamples;
+    return identity;
+}
 
 struct Picture {
-    UnitPlan plan{kLayout.crop, kSamples};
-    FilmSums film{kLayout};
+    RenderState state{identity()};
+    LiveState live{state};
+    std::size_t finished() const { return state.plan.finished_units(); }
+    std::size_t units() const { return state.plan.units(); }
 };
 
 std::uint64_t undivided_hash() {
-    Picture picture;
-    const Noise noise;
-    noise.render({kLayout.crop, 0, kSamples}, picture.film);
-    return picture.film.fingerprint();
-}
-
-TeamOptions options() {
-    TeamOptions options;
-    options.identity = kIdentity;
-    options.difference = [](const std::string& identity, int) { return "it is of " + identity; };
-    options.threads = 1;
-    return options;
+    FilmSums film(kLayout);
+    Noise().render({kLayout.crop, 0, kSamples}, film);
+    return film.fingerprint();
 }
 
 /// What one rank other than 0 does in a test.
 using RankBody = std::function<void(InProcessTransport&)>;
 
-void work(InProcessTransport& transport, const std::string& identity = kIdentity) {
-    const Picture picture;
-    const Noise noise;
-    work_for_rank_0(transport, noise, picture.plan, kLayout, identity, 1);
-}
 RankBody good_rank() {
-    return [](InProcessTransport& transport) { work(transport); };
+    return
+        [](InProcessTransport& transport) { work_for_rank_0(transport, Noise(), identity(), 1); };
 }
 /// @param letters  after which it is heard of no more
 RankBody dying_rank(int letters) {
     return [letters](InProcessTransport& transport) {
         transport.letters_of_its_life = letters;
-        const Picture picture;
-        const Noise noise;
         constexpr double kSilence = 0.1;  // s: it hears no more, and ends
-        work_for_rank_0(transport, noise, picture.plan, kLayout, kIdentity, 1, kSilence);
+        work_for_rank_0(transport, Noise(), identity(), 1, kSilence);
     };
 }
 
-TeamReport render_with(const std::vector<RankBody>& others, Picture& picture,
-                       const TeamOptions& options, const Estimator& estimator = Noise()) {
+struct Outcome {
+    TeamReport report;
+    bool all_have_left = false;
+    std::vector<std::string> warnings;
+};
+
+/// How a test wants the render to go.
+struct Wish {
+    const Estimator& estimator;
+    std::size_t end_pass = 1000;
+    std::function<bool()> stopped = [] { return false; };
+    int threads_of_rank_0 = 1;
+};
+
+Outcome render_with(const std::vector<RankBody>& others, Picture& picture,
+                    const Wish& wish = {Noise()}) {
+    constexpr double kParting = 0.3;  // s
     PostOffice office(1 + static_cast<int>(others.size()));
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < others.size(); ++i)
@@ -99,175 +107,179 @@ TeamReport render_with(const std::vector<RankBody>& others, Picture& picture,
             others[i](transport);
         });
     InProcessTransport transport(office, 0);
-    return coordinate(transport, estimator, picture.plan, picture.film, options);
+    Outcome outcome;
+    Team team(transport,
+              {wish.threads_of_rank_0,
+               [&](const std::string& text) { outcome.warnings.push_back(text); }, kParting});
+    team.render(
+        wish.estimator, picture.state, picture.live,
+        std::min(wish.end_pass, picture.state.plan.passes()), [](std::size_t) {}, wish.stopped);
+    team.part();
+    outcome.report = team.report();
+    outcome.all_have_left = team.all_have_left();
+    return outcome;
 }
 
 void expect_whole(const Picture& picture) {
-    EXPECT_EQ(picture.plan.finished_units(), picture.plan.units());
-    EXPECT_EQ(picture.film.fingerprint(), undivided_hash());
-    EXPECT_GT(picture.film.invalid_samples(), 0);
+    EXPECT_EQ(picture.finished(), picture.units());
+    EXPECT_EQ(picture.state.film.fingerprint(), undivided_hash());
+    EXPECT_GT(picture.state.film.invalid_samples(), 0);
 }
 
 TEST(Team, AnyNumberOfRanksGivesTheSameFilm) {
     for (const std::size_t others : {0u, 1u, 2u, 7u}) {
         Picture picture;
-        const TeamReport report =
-            render_with(std::vector<RankBody>(others, good_rank()), picture, options());
+        const Outcome outcome = render_with(std::vector<RankBody>(others, good_rank()), picture);
         expect_whole(picture);
-        EXPECT_TRUE(report.all_present);
+        EXPECT_TRUE(outcome.warnings.empty());
     }
 }
 
 TEST(Team, RankZeroNeedNotRender) {
-    TeamOptions only_coordinates = options();
-    only_coordinates.threads = 0;
     Picture picture;
-    const TeamReport report = render_with({good_rank()}, picture, only_coordinates);
+    const Noise noise;
+    const Outcome outcome =
+        render_with({good_rank()}, picture, {.estimator = noise, .threads_of_rank_0 = 0});
     expect_whole(picture);
-    EXPECT_EQ(report.units_of_rank[0], 0u);
-    EXPECT_EQ(report.units_of_rank[1], picture.plan.units());
+    EXPECT_TRUE(outcome.all_have_left);
+    EXPECT_EQ(outcome.report.units_of_rank[0], 0u);
+    EXPECT_EQ(outcome.report.units_of_rank[1], picture.units());
 }
 
 TEST(Team, UnitsOfRanksThatDieAreRenderedByOthers) {
     for (const int letters : {0, 1, 2, 3, 5}) {
-        TeamOptions impatient = options();
-        impatient.longest_parting = 0.2;
         Picture picture;
-        const TeamReport report =
-            render_with({dying_rank(letters), good_rank()}, picture, impatient);
+        const Outcome outcome = render_with({dying_rank(letters), good_rank()}, picture);
         expect_whole(picture);
-        EXPECT_FALSE(report.all_present) << "the fault did not fire";
+        EXPECT_FALSE(outcome.all_have_left) << "the fault did not fire";
     }
 }
 
 TEST(Team, ADeadRanksLeasesAreDealtAgain) {
     // Hello and request go out, so that it holds two leases; no result ever does.
-    TeamOptions impatient = options();
-    impatient.longest_parting = 0.2;
-    impatient.threads = 0;
     Picture picture;
-    const TeamReport report = render_with({dying_rank(2), good_rank()}, picture, impatient);
+    const Noise noise;
+    const Outcome outcome = render_with({dying_rank(2), good_rank()}, picture,
+                                        {.estimator = noise, .threads_of_rank_0 = 0});
     expect_whole(picture);
-    EXPECT_GE(report.leases_dealt_again, 1u) << "the fault did not fire";
+    EXPECT_GE(outcome.report.leases_dealt_again, 1u) << "the fault did not fire";
 }
 
 TEST(Team, ARankOfAnotherRenderDoesNotTakePart) {
-    std::vector<std::string> warnings;
-    TeamOptions listening = options();
-    listening.warn = [&](const std::string& warning) { warnings.push_back(warning); };
     Picture picture;
-    const TeamReport report =
-        render_with({[](InProcessTransport& transport) { work(transport, "another one"); }},
-                    picture, listening);
+    const Outcome outcome = render_with({[](InProcessTransport& transport) {
+                                            RenderIdentity other = identity();
+                                            other.seed = 5;
+                                            work_for_rank_0(transport, Noise(), other, 1);
+                                        }},
+                                        picture);
     expect_whole(picture);
-    EXPECT_EQ(report.units_of_rank[1], 0u);
-    EXPECT_TRUE(report.all_present);
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0], "rank 1 does not take part: it is of another one");
+    EXPECT_EQ(outcome.report.units_of_rank[1], 0u);
+    const std::vector<std::string> expected{
+        "rank 1 does not take part: the seed is 0 in rank 0 and 5 in rank 1"};
+    EXPECT_EQ(outcome.warnings, expected);
 }
 
 TEST(Team, ARankThatCannotTakePartSaysWhy) {
-    std::vector<std::string> warnings;
-    TeamOptions listening = options();
-    listening.warn = [&](const std::string& warning) { warnings.push_back(warning); };
     Picture picture;
-    const TeamReport report =
-        render_with({[](InProcessTransport& transport) { say_bye(transport, "no such file"); }},
-                    picture, listening);
+    const Outcome outcome = render_with(
+        {[](InProcessTransport& transport) { say_bye(transport, "no such file"); }}, picture);
     expect_whole(picture);
-    EXPECT_TRUE(report.all_present);
-    EXPECT_EQ(warnings, std::vector<std::string>{"rank 1 does not take part: no such file"});
+    EXPECT_TRUE(outcome.all_have_left);
+    EXPECT_EQ(outcome.warnings,
+              std::vector<std::string>{"rank 1 does not take part: no such file"});
 }
 
 TEST(Team, SumsThatNobodyAskedForAreLeftOut) {
-    std::vector<std::string> warnings;
-    TeamOptions listening = options();
-    listening.warn = [&](const std::string& warning) { warnings.push_back(warning); };
-    listening.longest_parting = 0.2;
     Picture picture;
-    render_with({[](InProcessTransport& transport) {
-                    transport.send(0, bytes_of(message::Hello{kIdentity, 1}));
-                    std::optional<Letter> letter;
-                    while (!(letter = transport.receive())) std::this_thread::yield();
-                    auto work = std::get<message::Work>(message_from_bytes(letter->bytes));
-                    work.lease.runs[0].tile += 1000;
-                    transport.send(0, bytes_of(message::Result{work.lease, "x", {}, 0.0}));
-                }},
-                picture, listening);
+    const Noise noise;
+    const auto liar = [](InProcessTransport& transport) {
+        transport.send(0, bytes_of(message::Hello{identity_bytes(identity()), 1}));
+        std::optional<Message> message;
+        while (!message || !std::holds_alternative<message::Work>(*message))
+            if (const auto letter = transport.receive())
+                message = message_from_bytes(letter->bytes);
+        const Lease& lease = std::get<message::Work>(*message).lease;
+        UnitRun run = lease.runs[0];
+        run.tile += 1000;
+        transport.send(0, bytes_of(message::Result{lease.number, {{run, "x", {}}}, 0.0}));
+        transport.send(0, bytes_of(message::Bye{}));
+    };
+    const Outcome outcome =
+        render_with({liar, good_rank()}, picture, {.estimator = noise, .threads_of_rank_0 = 0});
     expect_whole(picture);
-    EXPECT_EQ(warnings.size(), 1u);
+    const std::vector<std::string> expected{
+        "rank 1: it sent sums of other units than it was asked for"};
+    EXPECT_EQ(outcome.warnings, expected);
 }
 
 TEST(Team, GoesOnWhereAStateEnded) {
     Picture picture;
     const Noise noise;
+    const UnitPlan& plan = picture.state.plan;
     std::size_t n = 0;
-    for (std::size_t pass = 0; pass < picture.plan.passes(); ++pass)
-        for (std::size_t tile = 0; tile < picture.plan.tiles(); ++tile)
+    for (std::size_t pass = 0; pass < plan.passes(); ++pass)
+        for (std::size_t tile = 0; tile < plan.tiles(); ++tile)
             if (n++ % 3 == 0) {
-                noise.render(picture.plan.unit(pass, tile), picture.film);
-                picture.plan.set_finished(pass, tile);
+                const Lease lease{0, {{tile, pass, pass + 1}}};
+                add_pieces(render_lease(lease, noise, plan, kLayout, [] { return false; }), plan,
+                           kLayout, picture.live);
             }
-    render_with({good_rank()}, picture, options());
+    render_with({good_rank()}, picture);
     expect_whole(picture);
 }
 
 TEST(Team, StopsAndKeepsWhatIsFinished) {
-    std::atomic<bool> stop{false};
-    TeamOptions stoppable = options();
-    stoppable.stop = &stop;
     Noise noise;
     std::atomic<int> units{0};
-    noise.on_unit = [&] {
-        if (++units == 20) stop = true;
-    };
+    noise.on_unit = [&] { ++units; };
     Picture picture;
-    render_with({good_rank()}, picture, stoppable, noise);
-    EXPECT_LT(picture.plan.finished_units(), picture.plan.units()) << "the fault did not fire";
-    EXPECT_GE(picture.plan.finished_units(), 20u);
+    render_with({good_rank()}, picture,
+                {.estimator = noise, .stopped = [&] { return units >= 20; }});
+    EXPECT_LT(picture.finished(), picture.units()) << "the fault did not fire";
+    EXPECT_GE(picture.finished(), 20u);
 
     // What it kept is what it says: the rest makes it whole.
-    render_with({}, picture, options());
+    render_with({}, picture);
     expect_whole(picture);
 }
 
 TEST(Team, EndsAtThePassThatIsEnough) {
-    TeamOptions two_passes = options();
-    two_passes.enough = [](std::size_t passes) { return passes == 2; };
     Picture picture;
-    render_with({good_rank(), good_rank()}, picture, two_passes);
-    EXPECT_EQ(picture.plan.finished_units(), 2 * picture.plan.tiles());
-    EXPECT_EQ(picture.plan.first_open_pass(), 2u);
+    const Noise noise;
+    render_with({good_rank(), good_rank()}, picture, {.estimator = noise, .end_pass = 2});
+    EXPECT_EQ(picture.finished(), 2 * picture.state.plan.tiles());
+    EXPECT_EQ(picture.state.plan.first_open_pass(), 2u);
 }
 
 TEST(Team, AWorkerDoesNotWaitForEverForRankZero) {
     PostOffice office(2);
     InProcessTransport transport(office, 1);
-    const Picture picture;
     constexpr double kSilence = 0.05;  // s
-    EXPECT_EQ(work_for_rank_0(transport, Noise(), picture.plan, kLayout, kIdentity, 1, kSilence),
-              Parting::rank_0_lost);
+    EXPECT_EQ(work_for_rank_0(transport, Noise(), identity(), 1, kSilence), Parting::rank_0_lost);
 }
 
 TEST(LeaseWork, RefusesUnitsThatAreFinishedAndPixelsOfAnotherSize) {
     Picture picture;
-    const Noise noise;
     const Lease lease{0, {{0, 0, 2}}};
     const message::Result result =
-        render_lease(lease, noise, picture.plan, kLayout, [] { return false; });
+        render_lease(lease, Noise(), picture.state.plan, kLayout, [] { return false; });
+    const auto check = [&](const message::Result& r) {
+        check_pieces(r, picture.state.plan, kLayout);
+    };
+    EXPECT_NO_THROW(check(result));
     message::Result longer = result;
-    longer.pixels += "x";
-    EXPECT_THROW(add_result(longer, picture.plan, picture.film), InputError);
+    longer.pieces[0].pixels += "x";
+    EXPECT_THROW(check(longer), InputError);
     message::Result twice = result;
-    twice.lease.runs.push_back(lease.runs[0]);
-    twice.pixels += result.pixels;
-    EXPECT_THROW(add_result(twice, picture.plan, picture.film), InputError);
-    EXPECT_EQ(picture.plan.finished_units(), 0u);
+    twice.pieces.push_back(result.pieces[0]);
+    EXPECT_THROW(check(twice), InputError);
+    message::Result elsewhere = result;
+    elsewhere.pieces[0].run.end_pass = picture.state.plan.passes() + 1;
+    EXPECT_THROW(check(elsewhere), InputError);
 
-    add_result(result, picture.plan, picture.film);
-    const std::uint64_t hash = picture.film.fingerprint();
-    EXPECT_THROW(add_result(result, picture.plan, picture.film), InputError);
-    EXPECT_EQ(picture.film.fingerprint(), hash);
+    add_pieces(result, picture.state.plan, kLayout, picture.live);
+    EXPECT_THROW(check(result), InputError);
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ public:
     Worker(Transport& transport, double longest_silence)
         : transport_(transport), longest_silence_(longest_silence) {}
 
-    Parting work(const Estimator& estimator, const UnitPlan& plan, const FilmLayout& layout,
-                 const std::string& identity, int threads) {
-        send(message::Hello{identity, threads});
+    Parting work(const Estimator& estimator, const RenderIdentity& identity, int threads) {
+        const UnitPlan plan(identity.film.crop, identity.samples_per_pixel, identity.tile_side);
+        send(message::Hello{identity_bytes(identity), threads});
         send(message::Request{});
         while (const auto lease = next_lease()) {
-            const auto result = render_lease(*lease, estimator, plan, layout, [this] {
+            const auto result = render_lease(*lease, estimator, plan, identity.film, [this] {
                 read_letters_if_nobody_does();
                 return finish_.load();
             });
@@ -103,10 +103,9 @@ private:
 
 }  // namespace
 
-Parting work_for_rank_0(Transport& transport, const Estimator& estimator, const UnitPlan& plan,
-                        const FilmLayout& layout, const std::string& identity, int threads,
-                        double longest_silence) {
-    return Worker(transport, longest_silence).work(estimator, plan, layout, identity, threads);
+Parting work_for_rank_0(Transport& transport, const Estimator& estimator,
+                        const RenderIdentity& identity, int threads, double longest_silence) {
+    return Worker(transport, longest_silence).work(estimator, identity, threads);
 }
 
 Parting say_bye(Transport& transport, const std::string& reason, double longest_silence) {
