@@ -87,10 +87,10 @@ def main():
     p.add_argument("--height", type=int, default=2160)
     p.add_argument("--spp", type=int, default=4096)
     p.add_argument("--bins", type=int, default=0)
-    p.add_argument("--unit", type=float, default=4.05e-3, help="CPU s of a unit")
+    p.add_argument("--unit", type=float, default=3.9e-3, help="CPU s of a unit")
     p.add_argument("--variation", type=float, default=1.0,
                    help="standard deviation over mean of a unit's time")
-    p.add_argument("--tile", type=float, default=0.26e-3, help="s of rank 0 for a tile's sums")
+    p.add_argument("--tile", type=float, default=0.064e-3, help="CPU s of rank 0 for a tile's sums")
     p.add_argument("--letter", type=float, default=20e-6, help="s of rank 0 for a letter")
     p.add_argument("--bandwidth", type=float, default=1.25e9, help="bytes/s into rank 0")
     p.add_argument("--latency", type=float, default=50e-6, help="s")

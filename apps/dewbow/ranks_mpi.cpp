@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <list>
+#include <set>
 
 #include "dewbow/base/check.h"
 #include "dewbow/base/error.h"
@@ -40,20 +41,19 @@ public:
 
     std::optional<Letter> receive() override {
         forget_what_has_gone();
-        int there = 0;
-        MPI_Message message;
-        MPI_Status status;
-        if (MPI_Improbe(MPI_ANY_SOURCE, kTag, MPI_COMM_WORLD, &there, &message, &status) !=
-                MPI_SUCCESS ||
-            !there)
-            return std::nullopt;
-        int size = 0;
-        MPI_Get_count(&status, MPI_BYTE, &size);
-        Letter letter{status.MPI_SOURCE, std::string(static_cast<std::size_t>(size), '\0')};
-        if (MPI_Mrecv(letter.bytes.data(), size, MPI_BYTE, &message, MPI_STATUS_IGNORE) !=
-            MPI_SUCCESS)
-            return std::nullopt;
-        return letter;
+        begin_to_receive();
+        std::set<int> waiting;  // for an earlier letter of that rank
+        for (auto letter = incoming_.begin(); letter != incoming_.end(); ++letter) {
+            if (waiting.contains(letter->from)) continue;
+            int here = 0;
+            if (MPI_Test(&letter->request, &here, MPI_STATUS_IGNORE) == MPI_SUCCESS && here) {
+                Letter received{letter->from, std::move(letter->bytes)};
+                incoming_.erase(letter);
+                return received;
+            }
+            waiting.insert(letter->from);
+        }
+        return std::nullopt;
     }
 
     bool all_gone() {
@@ -68,6 +68,33 @@ private:
         MPI_Request request;
     };
 
+    /// Announced, and on its way: a large letter comes while its sender looks for letters itself,
+    /// and never if that rank is killed. So nobody waits for it.
+    struct Incoming {
+        int from;
+        std::string bytes;
+        MPI_Request request;
+    };
+
+    void begin_to_receive() {
+        for (;;) {
+            int there = 0;
+            MPI_Message message;
+            MPI_Status status;
+            const int code =
+                MPI_Improbe(MPI_ANY_SOURCE, kTag, MPI_COMM_WORLD, &there, &message, &status);
+            if (code != MPI_SUCCESS || !there) return;
+            int size = 0;
+            MPI_Get_count(&status, MPI_BYTE, &size);
+            Incoming& letter = incoming_.emplace_back(
+                Incoming{status.MPI_SOURCE, std::string(static_cast<std::size_t>(size), '\0'),
+                         MPI_REQUEST_NULL});
+            if (MPI_Imrecv(letter.bytes.data(), size, MPI_BYTE, &message, &letter.request) !=
+                MPI_SUCCESS)
+                incoming_.pop_back();
+        }
+    }
+
     void forget_what_has_gone() {
         for (auto letter = outgoing_.begin(); letter != outgoing_.end();) {
             int gone = 0;
@@ -78,6 +105,7 @@ private:
 
     int rank_ = 0, ranks_ = 1;
     std::list<Outgoing> outgoing_;
+    std::list<Incoming> incoming_;  // in the order in which they were announced
 };
 
 class MpiRanks : public Ranks {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dewbow/base/bytes.h"
+#include "dewbow/base/checksum.h"
 #include "dewbow/base/error.h"
 
 namespace dewbow {
@@ -153,16 +154,28 @@ Message read_kind(std::size_t kind, Reader& from, std::index_sequence<kinds...>)
     return message;
 }
 
+std::uint64_t checksum_of(std::string_view bytes) {
+    Checksum checksum;
+    checksum.add(bytes);
+    return checksum.value();
+}
+
 }  // namespace
 
 std::string bytes_of(const Message& message) {
     std::string bytes(1, static_cast<char>(message.index()));
     std::visit(Body{bytes}, message);
+    append_value(bytes, checksum_of(bytes));
     return bytes;
 }
 
 Message message_from_bytes(std::string_view bytes) {
-    Reader from(bytes);
+    if (bytes.size() <= sizeof(std::uint64_t)) refuse("it ends early");
+    const std::string_view body = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
+    Reader checksum(bytes.substr(body.size()));
+    if (read_value<std::uint64_t>(checksum) != checksum_of(body))
+        refuse("its checksum does not hold");
+    Reader from(body);
     const std::size_t kind = read_value<std::uint8_t>(from);
     Message message =
         read_kind(kind, from, std::make_index_sequence<std::variant_size_v<Message>>());

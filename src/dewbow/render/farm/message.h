@@ -73,6 +73,7 @@ struct Leave {
 using Message = std::variant<message::Hello, message::Request, message::Work, message::Result,
                              message::Alive, message::Finish, message::Bye, message::Leave>;
 
+/// Ends with a checksum: of a rank that is killed while a letter travels, a part may arrive.
 std::string bytes_of(const Message& message);
 
 /// Throws InputError if `bytes` are no message; memory is taken only for what they hold.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "dewbow/base/bytes.h"
+#include "dewbow/base/checksum.h"
 #include "dewbow/base/error.h"
 
 namespace dewbow {
@@ -50,9 +52,22 @@ TEST(Message, RefusesEveryTruncationAndWhatIsTooLong) {
     EXPECT_THROW(message_from_bytes("\x2a"), InputError);
 }
 
+TEST(Message, FindsEveryFlippedBit) {
+    const std::string bytes = bytes_of(kResult);
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+        std::string damaged = bytes;
+        damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
+        EXPECT_THROW(message_from_bytes(damaged), InputError) << bit;
+    }
+}
+
 TEST(Message, TakesNoMemoryForWhatItDoesNotHold) {
     std::string bytes = bytes_of(Work{kLease});
+    bytes.resize(bytes.size() - sizeof(std::uint64_t));
     bytes[1 + 8 + 6] = '\x40';  // 2⁵⁴ runs: the number follows the kind and the lease's number
+    Checksum checksum;
+    checksum.add(bytes);
+    append_value(bytes, checksum.value());
     EXPECT_THROW(message_from_bytes(bytes), InputError);
 }
 

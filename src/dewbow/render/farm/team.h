@@ -30,7 +30,7 @@ struct TeamReport {
     std::vector<int> lost_ranks;                  ///< that did not answer in the end
     std::uint64_t result_bytes = 0, results = 0;  ///< of other ranks
     std::size_t leases_dealt_again = 0;
-    double coordinating_seconds = 0.0;  ///< spent on letters and sums
+    double coordinating_seconds = 0.0;  ///< of CPU, for letters and others' sums
     double rendering_seconds = 0.0;     ///< of all ranks
 };
 
