@@ -50,13 +50,14 @@ bool takes_seconds(const Words& words) {
 }
 
 TEST(RainbowManual, CommandsDoWhatTheySay) {
-    const std::string storm = read_file(std::string(DEWBOW_SOURCE_DIR) + "/examples/storm.toml");
+    const std::string storm =
+        read_file(std::string(DEWBOW_SOURCE_DIR) + "/examples/rainbow/storm.toml");
     const std::vector<Words> all = commands();
     EXPECT_GE(all.size(), 12u);
     for (const Words& words : all) {
         if (takes_seconds(words)) continue;
         const Folder folder;
-        folder.put("examples/storm.toml", storm);
+        folder.put("examples/rainbow/storm.toml", storm);
         const Outcome outcome = run_program(DEWBOW_BINARY, words, folder.path());
         std::string shown;
         for (const std::string& word : words) shown += word + ' ';
