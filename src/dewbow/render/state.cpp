@@ -73,7 +73,7 @@ Added add_state(RenderState& into, const std::string& into_name, const RenderSta
             SourcePlace{from_name, 0, 0, {}},
             fmt::format("it holds {}, and {} of these are in {} already",
                         units_text(from.plan.finished_units(), from.plan), common, into_name),
-            "units cannot be taken out of a sum again: leave one of the two away");
+            {}, "units cannot be taken out of a sum again: leave one of the two away");
     into.film.add(from.film);
     into.plan.add(from.plan);
     into.seconds += from.seconds;
