@@ -42,7 +42,8 @@ double square_mm(Area area) { return area / (unit::mm * unit::mm); }
 
 Attributes with_report(const ScatteringTable& table, Attributes facts) {
     if (!table.report.empty()) facts.push_back({"dewbow:report", table.report});
-    facts.push_back({"dewbow:statedError", table.stated_error});
+    if (std::isfinite(table.stated_error))
+        facts.push_back({"dewbow:statedError", table.stated_error});
     facts.push_back(
         {"dewbow:meanCrossSectionSquareMillimetres", square_mm(table.mean_cross_section)});
     return facts;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <numbers>
 
 #include "dewbow/base/parallel.h"
@@ -131,6 +132,7 @@ CloudScattering scatter(const ScatteringModel& model, const Cloud& cloud,
             scatter_one(model, index, drops_of(cloud, shaped, wavelengths[w], t), angles);
     });
     result.report = std::string(model.name());
+    if (result.report != "mie") result.stated_error = std::numeric_limits<double>::quiet_NaN();
     return result;
 }
 

@@ -48,7 +48,7 @@ ScatteringTable mixed_evenly(std::span<const ScatteringTable> tables) {
             mixed.phase[k].parallel += weight * table.phase[k].parallel;
         }
         mixed.report += (mixed.report.empty() ? "" : "; ") + table.report;
-        mixed.stated_error = std::max(mixed.stated_error, table.stated_error);
+        mixed.stated_error = std::max(table.stated_error, mixed.stated_error);
     }
     return mixed;
 }

@@ -40,9 +40,10 @@ struct ScatteringTable {
     std::vector<Intensities> phase;
     /// [wavelength]: over all drops, weighted by their geometric cross section.
     std::vector<Efficiencies> efficiencies;
-    Area mean_cross_section;    ///< geometric, πa², of a drop on average
-    std::string report;         ///< what the model chose, and how wrong that may be
-    double stated_error = 0.0;  ///< of the unpolarised P, over the primary bow's peak
+    Area mean_cross_section;  ///< geometric, πa², of a drop on average
+    std::string report;       ///< what the model chose, and how wrong that may be
+    /// Of the unpolarised P, over the primary bow's peak; NaN of models that state none.
+    double stated_error = 0.0;
 
     const Intensities& at(std::size_t angle, std::size_t wavelength) const {
         return phase[angle * wavelengths.size() + wavelength];

@@ -75,6 +75,14 @@ TEST(ScatteringTable, OneDropIsWhatTheModelSays) {
                          4.0 / (x2 * q.scattering) * S[a].perpendicular);
 }
 
+TEST(ScatteringTable, ModelsThatAreNotExactStateNoErrorOfZero) {
+    TableRequest request = fog("uniform_airy");
+    request.angles = {130.0 * deg, 140.0 * deg};
+    EXPECT_TRUE(std::isnan(make_scattering_table(request).stated_error));
+    request.model = "mie";
+    EXPECT_EQ(make_scattering_table(request).stated_error, 0.0);
+}
+
 TEST(ScatteringTable, RefusesWhatIsNoRequest) {
     const auto refused = [](auto change) {
         TableRequest request = fog("mie");
