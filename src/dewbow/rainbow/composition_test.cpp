@@ -104,6 +104,24 @@ TEST(OrderPattern, CarriesTheFluxOfItsRays) {
     }
 }
 
+TEST(OrderPattern, KeepsItsFluxWhereverItIsTurned) {
+    /// Fringes within the steps of the angles. Without the change of solid angle 3° cost 9 %.
+    constexpr double kSteps = 2e-3;
+    const std::vector<Angle> at = angles(0.0, 180.0, 0.02);
+    for (int p : {2, 3}) {
+        const auto flux = [&](Angle shift) {
+            std::vector<Intensities> light(at.size());
+            OrderPattern(kWater, p).at(at, shift).add(FringeAverage(kSizes, kShares), light);
+            double sum = 0.0;
+            for (std::size_t a = 0; a < at.size(); ++a) sum += light[a].unpolarised() * sin(at[a]);
+            return sum;
+        };
+        const double round = flux({});
+        for (double shift_deg : {-3.0, 1.0, 3.0})
+            EXPECT_NEAR(flux(shift_deg * deg) / round, 1.0, kSteps) << p << ' ' << shift_deg;
+    }
+}
+
 TEST(Composition, OfAllOrdersIsTheSumOfThem) {
     constexpr double kRounding = 1e-12;
     const DropAverages drops(kSizes, kShares);

@@ -127,7 +127,7 @@ OrderPattern::Node OrderPattern::interpolated(double position) const {
             mix(&Node::P_parallel), mix(&Node::Q_parallel)};
 }
 
-void OrderPattern::add_passage(double turn, double sine, std::uint32_t angle,
+void OrderPattern::add_passage(double turn, double sine, double brightness, std::uint32_t angle,
                                BowLight& light) const {
     /// Nearer than this to 0° and 180° light that meets there is no longer summed as rays.
     constexpr double kBesideAxis = 0.03;
@@ -140,6 +140,7 @@ void OrderPattern::add_passage(double turn, double sine, std::uint32_t angle,
         geometry = 1.0;  // reach over sine, on the axis
     else if (!beside_axis)
         geometry /= sine;
+    geometry *= brightness;
     const Intensities P2{geometry * at.P_perpendicular * at.P_perpendicular,
                          geometry * at.P_parallel * at.P_parallel};
     const Intensities Q2{geometry * at.Q_perpendicular * at.Q_perpendicular,
@@ -162,11 +163,14 @@ void OrderPattern::add_passage(double turn, double sine, std::uint32_t angle,
 BowLight OrderPattern::at(std::span<const Angle> theta, Angle shift) const {
     BowLight light;
     for (std::size_t a = 0; a < theta.size(); ++a) {
-        const Angle unshifted = shift == Angle{} ? theta[a] : angle_without_shift(theta[a], shift);
-        const double sine = sin(unshifted);
-        for_each_passage(
-            bow_, bow_.least + first_ + step_, unshifted.to(rad),
-            [&](const Passage& way) { add_passage(way.deviation, sine, std::uint32_t(a), light); });
+        const bool turned = shift != Angle{};
+        const Angle unshifted = turned ? angle_without_shift(theta[a], shift) : theta[a];
+        const double sine = sin(unshifted),
+                     brightness = turned ? brightness_of_shift(theta[a], shift) : 1.0;
+        for_each_passage(bow_, bow_.least + first_ + step_, unshifted.to(rad),
+                         [&](const Passage& way) {
+                             add_passage(way.deviation, sine, brightness, std::uint32_t(a), light);
+                         });
     }
     return light;
 }

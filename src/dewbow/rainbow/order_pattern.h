@@ -77,7 +77,9 @@ private:
     /// Beyond the grazing ray; signs as those of a node before it.
     Node of_ray(double offset, const Node& before) const;
     Node interpolated(double position) const;
-    void add_passage(double turn, double sine, std::uint32_t angle, BowLight& light) const;
+    /// @param brightness  what its light counts for.
+    void add_passage(double turn, double sine, double brightness, std::uint32_t angle,
+                     BowLight& light) const;
 
     BowGeometry bow_;
     double first_ = 0.0, step_ = 0.0;  ///< of the nodes, in deflection from the bow's, radians

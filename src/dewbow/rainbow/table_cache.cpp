@@ -21,7 +21,7 @@ using namespace unit;
 
 constexpr std::string_view kMagic = "dewbow scattering table 1\n";
 /// To be raised whenever the same request gives other numbers.
-constexpr std::uint64_t kPhysics = 1;
+constexpr std::uint64_t kPhysics = 2;
 constexpr std::size_t kKeyDigits = 32, kChecksumBytes = 16;
 
 /// FNV-1a with 64 bits from two starts: not against malice, only against chance.
