@@ -12,7 +12,8 @@ struct Xyz {};  ///< CIE 1931 2°; Y of a spectral radiance is luminance / 683 l
 struct LinearSrgb {};  ///< Rec.709 primaries, D65, linear
 struct LinearRec2020 {};
 struct LinearDisplayP3 {};
-struct AcesCg {};  ///< AP1 primaries, ACES white, linear
+struct AcesCg {};   ///< AP1 primaries, ACES white, linear
+struct Monitor {};  ///< of the monitor that a SpectralModel is made for, linear
 
 template <class Space>
 struct Colour {

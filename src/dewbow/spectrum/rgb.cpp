@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/spectrum/rgb.h"
 
-#include "dewbow/spectrum/matrix3.h"
+#include "dewbow/spectrum/primaries_matrix.h"
 
 namespace dewbow {
 namespace {
@@ -20,21 +20,6 @@ constexpr RgbPrimaries kPrimaries<LinearDisplayP3>{
 template <>  // Academy S-2014-004, AP1
 constexpr RgbPrimaries kPrimaries<AcesCg>{
     "acescg", {0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, {0.32168, 0.33767}};
-
-/// XYZ with Y = 1.
-constexpr Triple xyz_from_chromaticity(std::array<double, 2> xy) {
-    return {xy[0] / xy[1], 1.0, (1.0 - xy[0] - xy[1]) / xy[1]};
-}
-
-/// The matrix that takes (1, 0, 0) … to multiples of the primaries and (1, 1, 1) to the white with
-/// Y = 1. [SMPTE RP 177]
-constexpr Matrix3 matrix_of_primaries(const RgbPrimaries& primaries) {
-    const Matrix3 columns = matrix_of_columns(xyz_from_chromaticity(primaries.red),
-                                              xyz_from_chromaticity(primaries.green),
-                                              xyz_from_chromaticity(primaries.blue));
-    const Triple strength = inverse(columns) * xyz_from_chromaticity(primaries.white);
-    return columns * diagonal(strength);
-}
 
 // Worked out by the compiler.
 template <class Space>
