@@ -46,15 +46,19 @@ MonitorRgb without_negatives(MonitorRgb rgb, NegativeColours negative, const Tri
 
 }  // namespace
 
-EmpiricalCurves empirical_curves(const RgbPrimaries& monitor, NegativeColours negative) {
+EmpiricalCurves empirical_curves(const RgbPrimaries& monitor, NegativeColours negative,
+                                 EmpiricalWhite white) {
     const Nodes<Xyz> xyz = spectrum_under_b();
-    const Colour<Xyz> white = area_under(xyz);
-    const Matrix3 xyz_from_monitor = matrix_of_primaries(monitor, (white * (1.0 / white[1])).v);
+    const Colour<Xyz> sum = area_under(xyz);
+    const double per_luminance = 1.0 / sum[1];
+    const Matrix3 xyz_from_monitor = white == EmpiricalWhite::monitor
+                                         ? matrix_of_primaries(monitor)
+                                         : matrix_of_primaries(monitor, (sum * per_luminance).v);
     const Matrix3 monitor_from_xyz = inverse(xyz_from_monitor);
 
     EmpiricalCurves curves{};
     for (std::size_t i = 0; i < curves.per_nm.size(); ++i) {
-        const MonitorRgb rgb{monitor_from_xyz * (xyz[i] * (1.0 / white[1])).v};
+        const MonitorRgb rgb{monitor_from_xyz * (xyz[i] * per_luminance).v};
         curves.per_nm[i] = without_negatives(rgb, negative, xyz_from_monitor[1]);
     }
     curves.area = area_under(curves.per_nm).v;

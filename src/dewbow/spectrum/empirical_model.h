@@ -17,16 +17,22 @@ inline constexpr Wavelength kEmpiricalRed = 770.0 * unit::nm, kEmpiricalViolet =
 inline constexpr Wavelength kEmpiricalStep = 10.0 * unit::nm;
 inline constexpr int kEmpiricalNodes = 40;
 
-/// Curves per nm. What a matrix of the monitor makes of x̄ȳz̄ × B is scaled so that B is (1, 1, 1),
-/// then negative channels are treated, then each channel is brought back to an area of 1.
+/// What (1, 1, 1) is before negative channels are treated.
+enum class EmpiricalWhite {
+    illuminant,  ///< B
+    monitor,     ///< the monitor's own, with the luminance of B: what the paper's graphs may show
+};
+
+/// Curves per nm: what the monitor's matrix makes of x̄ȳz̄ × B; negative channels are treated, and
+/// then each channel is brought to an area of 1.
 struct EmpiricalCurves {
     std::array<MonitorRgb, kEmpiricalNodes> per_nm;  ///< at 380, 390 … 770 nm
-    std::array<double, 3> area;  ///< of each channel before the last step: 1 unless clamped
+    std::array<double, 3> area;                      ///< of each channel before the last step
 
     /// Linear between the nodes, 0 outside.
     MonitorRgb at(Wavelength lambda) const;
 };
-/// The chromaticities of `monitor` with the white of illuminant B.
-EmpiricalCurves empirical_curves(const RgbPrimaries& monitor, NegativeColours negative);
+EmpiricalCurves empirical_curves(const RgbPrimaries& monitor, NegativeColours negative,
+                                 EmpiricalWhite white = EmpiricalWhite::illuminant);
 
 }  // namespace dewbow

@@ -11,9 +11,10 @@ namespace {
 constexpr std::array<double, 2> kD65{0.3127, 0.3290};
 
 constexpr std::array kMonitors{
-    MonitorRow{{"rogers", {0.628, 0.346}, {0.268, 0.588}, {0.150, 0.070}, {0.313, 0.329}},
-               "a colour monitor of the 1980s, as in D. F. Rogers, Procedural Elements for "
-               "Computer Graphics, 1985, which the paper cites; white D65 to three digits"},
+    MonitorRow{
+        {"rogers", {0.628, 0.346}, {0.268, 0.588}, {0.150, 0.070}, {0.313, 0.329}},
+        "a colour monitor of the 1980s, taken to be that of D. F. Rogers, Procedural Elements "
+        "for Computer Graphics, 1985, which the paper cites; not checked against the book"},
     MonitorRow{{"smpte-c", {0.630, 0.340}, {0.310, 0.595}, {0.155, 0.070}, kD65},
                "SMPTE RP 145, 1987: phosphors of studio monitors"},
     MonitorRow{{"ntsc", {0.67, 0.33}, {0.21, 0.71}, {0.14, 0.08}, {0.310, 0.316}},
