@@ -101,6 +101,15 @@ bool MediaStack::holds(int id) const {
     return false;
 }
 
+Boundary boundary_at(MediaStack media, bool front, int id) {
+    Boundary b;
+    // A ray that leaves a body which it never entered (an open mesh) was inside after all.
+    b.before = !front && !media.holds(id) ? media.entered(id) : media;
+    b.after = front ? b.before.entered(id) : b.before.left(id);
+    b.none = b.before.interior() == b.after.interior();
+    return b;
+}
+
 MediaTable::MediaTable(const Scene& scene) : interior_(scene.materials.size(), -1) {
     std::vector<MediumPtr> bodies;
     for (const Material& material : scene.materials) {

@@ -78,6 +78,14 @@ private:
     std::uint64_t generation_ = 0;
 };
 
+/// One boundary between media, as a ray meets it.
+struct Boundary {
+    MediaStack before, after;
+    bool none = false;  ///< the same medium on both sides
+};
+/// @param media  what the ray lies in.   @param front  whether it enters the body of medium `id`.
+Boundary boundary_at(MediaStack media, bool front, int id);
+
 class Accelerator;
 /// The media that `point` lies in, found by rays to the outside.
 MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,

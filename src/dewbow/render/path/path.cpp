@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/path/path.h"
 
-#include <atomic>
-
 #include "dewbow/base/check.h"
-#include "dewbow/render/albedo.h"
 
 namespace dewbow {
 
 namespace {
-
-std::uint64_t next_serial() {
-    static std::atomic<std::uint64_t> serial{0};
-    return ++serial;
-}
 
 class PathEstimator : public Estimator {
 public:
@@ -38,21 +30,6 @@ private:
 };
 
 }  // namespace
-
-PreparedScene::PreparedScene(const Scene& s)
-    : serial(next_serial()),
-      scene(s),
-      media(s),
-      see_through(see_through_shapes(s)),
-      opacity(s),
-      accelerator(s, see_through, &opacity),
-      lights(s),
-      camera(s) {
-    camera_media = media_at(camera.position(), scene, media, accelerator);
-    albedo = albedo_of_materials(scene);
-    for (const Material& material : scene.materials)
-        varies.push_back(surface_varies(scene, material));
-}
 
 PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index) {
     const RenderSettings& settings = prepared.scene.render;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "dewbow/optics/refraction.h"
-#include "dewbow/render/albedo.h"
 #include "dewbow/render/path/tracer.h"
 
 namespace dewbow::path_tracing {
@@ -36,7 +35,8 @@ PixelSample Tracer::run_open(const Ray& first, const RayLanes& rays, MediaStack 
     result_.wavelengths = packet_;
     const Hit hit = prepared_.accelerator.intersect(first);
     if (hit && settings_.max_depth > 0)
-        see_first(vertex_at(first, hit), material_at(first, hit, vertex_key(0, 0)));
+        see_first(prepared_, vertex_at(first, hit), material_at(first, hit, vertex_key(0, 0)),
+                  result_);
     OpenPath open;
     open.lanes = LaneSet::all(packet_);
     open.rays = rays;
@@ -49,14 +49,6 @@ PixelSample Tracer::run_open(const Ray& first, const RayLanes& rays, MediaStack 
     trace_open(open);
     finish_pending();
     return result_;
-}
-
-/// What the layers of the first thing that is seen hold.
-void Tracer::see_first(const Vertex& vertex, int id) {
-    result_.hit = true;
-    result_.normal = dot(vertex.shading, vertex.wo) >= 0.0 ? vertex.shading : -vertex.shading;
-    result_.depth = prepared_.camera.depth_of(vertex.position);
-    result_.albedo = albedo_at(material(id), prepared_.albedo[std::size_t(id)], vertex.at);
 }
 
 void Tracer::finish_pending() {
@@ -98,7 +90,8 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
         vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
     const int id = material_at(path.ray, hit, at);
     const Material& material = this->material(id);
-    if (!result_.hit && path.depth == 0 && path.branch == 0) see_first(vertex, id);
+    if (!result_.hit && path.depth == 0 && path.branch == 0)
+        see_first(prepared_, vertex, id, result_);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
                                 : smooth(path, vertex, *glass, prepared_.media.interior_of(id));

@@ -15,76 +15,12 @@ constexpr double kLeastSurvival = 0.05;
 
 }  // namespace
 
-Vec3 mirror_normal(const Vertex& vertex) {
-    return dot(reflected(vertex.wo, vertex.shading), vertex.geometric) > 0.0 ? vertex.shading
-                                                                             : vertex.geometric;
-}
-
-Vertex Tracer::vertex_at(const Ray& ray, const Hit& hit) const {
-    Vertex v;
-    v.position = ray.origin + ray.direction * hit.t;
-    v.wo = -ray.direction;
-    v.front = dot(ray.direction, hit.normal) < 0.0;
-    const double side = v.front ? 1.0 : -1.0;
-    v.geometric = hit.normal * side;
-    v.shading = prepared_.accelerator.shading_normal(hit) * side;
-    if (dot(v.shading, v.wo) <= 0.0) v.shading = v.geometric;
-    v.shape = hit.shape;
-    v.primitive = hit.primitive;
-    const int id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
-    const auto& normal_map = material(id).normal_map;
-    if (normal_map || prepared_.varies[std::size_t(id)])
-        v.at = prepared_.accelerator.coordinates(hit, v.position);
-    if (normal_map) {
-        const Vec3 tilted =
-            side * tilted_normal(*normal_map, v.at, hit, v.position, v.shading * side);
-        if (dot(tilted, v.wo) > 0.0) v.shading = tilted;
-    }
-    return v;
-}
-
-/// The outward shading normal `n`, tilted as the map's texel says.   [glTF 2.0, normalTexture]
-Vec3 Tracer::tilted_normal(const NormalMap& map, const SurfaceCoordinates& at, const Hit& hit,
-                           Vec3 position, Vec3 n) const {
-    const int set = map.texture->texcoord_set;
-    const PictureAxes axes = prepared_.accelerator.picture_axes(hit, position, set);
-    const Vec3 right = axes.right - n * dot(axes.right, n);
-    const Vec3 up = cross(n, right) * (dot(cross(n, right), axes.up) < 0.0 ? -1.0 : 1.0);
-    if (!(dot(right, right) > 0.0)) return n;
-    const auto texel = map.texture->eval(at.uv[std::size_t(set)]);
-    const double x = map.scale * (2.0 * texel[0] - 1.0), y = map.scale * (2.0 * texel[1] - 1.0);
-    const Vec3 tilted =
-        normalised(right) * x + normalised(up) * y + n * std::max(0.0, 2.0 * texel[2] - 1.0);
-    return dot(tilted, tilted) > 0.0 ? normalised(tilted) : n;
-}
-
 /// The normal that a smooth boundary turns rays by: on the side that the ray comes from.
 Vec3 Tracer::facing_normal(const Ray& ray, const Hit& hit, bool front) const {
     const int id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
     if (prepared_.accelerator.flat(hit.shape) && !material(id).normal_map)
         return front ? hit.normal : -hit.normal;
     return mirror_normal(vertex_at(ray, hit));
-}
-
-/// Index of the material that the path meets: of a mix, the part that the random number chooses.
-int Tracer::material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const {
-    int id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
-    while (const auto* mix = std::get_if<Mix>(&material(id).surface)) {
-        const double share = mix->second_share.varies()
-                                 ? number_at(mix->second_share, vertex_at(ray, hit).at)
-                                 : mix->second_share.value;
-        id = key_.two(vertex, Purpose::bsdf_lobe)[1] < share ? mix->second : mix->first;
-    }
-    return id;
-}
-
-Boundary Tracer::boundary_at(MediaStack media, bool front, int id) const {
-    Boundary b;
-    // A path that leaves a body which it never entered (an open mesh) was inside after all.
-    b.before = !front && !media.holds(id) ? media.entered(id) : media;
-    b.after = front ? b.before.entered(id) : b.before.left(id);
-    b.none = b.before.interior() == b.after.interior();
-    return b;
 }
 
 void Tracer::indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta) {

@@ -34,6 +34,7 @@
 #include "dewbow/render/surface/rough_dielectric.h"
 #include "dewbow/render/surface/scattering_surface.h"
 #include "dewbow/render/surface_inputs.h"
+#include "dewbow/render/vertex.h"
 
 namespace dewbow::path_tracing {
 
@@ -71,38 +72,10 @@ struct OpenPath {
     std::array<Receiver, kMaxLanes> last_receiver;
 };
 
-/// A surface as a ray meets it.
-struct Vertex {
-    Vec3 position;
-    Vec3 wo;         ///< towards where the path came from
-    Vec3 geometric;  ///< normals, turned to the side of wo
-    Vec3 shading;
-    bool front = true;  ///< met from outside
-    int shape = -1, primitive = -1;
-    SurfaceCoordinates at;  ///< for textures; set where the material has any
-
-    /// Of light from the side of wo, or from both.
-    Receiver receiver(bool both_sides) const {
-        return both_sides ? Receiver{position} : Receiver{position, shading};
-    }
-    /// A ray that leaves along `direction`.
-    Ray leave(Vec3 direction) const {
-        const double side = dot(direction, geometric);
-        const bool outward = front ? side > 0.0 : side < 0.0;
-        return {position, direction, {shape, primitive, !outward}};
-    }
-};
-
 /// Spectra of RGB colours at the packet's wavelengths.
 struct RgbLanesOfPath {
     RgbLightLanes light;
     RgbReflectanceLanes reflectance;
-};
-
-/// What one boundary between media is made of.
-struct Boundary {
-    MediaStack before, after;
-    bool none = false;  ///< the same medium on both sides
 };
 
 class Tracer {
@@ -125,7 +98,6 @@ public:
 
 private:
     void finish_pending();
-    void see_first(const Vertex& vertex, int id);
     void trace(SharedPath path);
     bool interact(SharedPath& path, const Hit& hit);
     bool scatter(SharedPath& path, const Vertex& vertex, const Material& material,
@@ -172,13 +144,14 @@ private:
                       const Boundary& boundary);
 
     // Helpers.
-    Vertex vertex_at(const Ray& ray, const Hit& hit) const;
-    Vec3 tilted_normal(const NormalMap& map, const SurfaceCoordinates& at, const Hit& hit,
-                       Vec3 position, Vec3 n) const;
+    Vertex vertex_at(const Ray& ray, const Hit& hit) const {
+        return dewbow::vertex_at(prepared_, ray, hit);
+    }
     Vec3 facing_normal(const Ray& ray, const Hit& hit, bool front) const;
-    int material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const;
+    int material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const {
+        return dewbow::material_at(prepared_, ray, hit, key_, vertex);
+    }
     const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
-    Boundary boundary_at(MediaStack media, bool front, int id) const;
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
     void index_around(const LaneSet& lanes, MediaStack media, LaneValues& index);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
@@ -207,13 +180,5 @@ private:
     PixelSample result_;
     std::uint32_t branches_ = 0;
 };
-
-/// A texture may leave parts of a rough surface smooth: they have the least roughness there is.
-inline bool is_rough(const Dielectric& glass) {
-    return glass.roughness.varies() || glass.roughness.value > 0.0;
-}
-inline Vec3 reflected(Vec3 wo, Vec3 normal) { return normal * (2.0 * dot(wo, normal)) - wo; }
-/// The shading normal, unless it would send a mirror ray below the true surface.
-Vec3 mirror_normal(const Vertex& vertex);
 
 }  // namespace dewbow::path_tracing
