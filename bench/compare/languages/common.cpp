@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "dewbow/base/error.h"
+#include "dewbow/base/file.h"
+#include "dewbow/image/exr.h"
+
+namespace dewbow::bench {
+
+double relative_index(const PlainScene& scene, Wavelength lambda) {
+    return (*scene.body.index)(lambda).value / (*scene.surrounding_index)(lambda).value;
+}
+
+std::array<Vec3, 4> corners(const PlainLamp& lamp) {
+    const Vec3 c = lamp.centre, u = lamp.half_u, v = lamp.half_v;
+    return {c - u - v, c + u - v, c + u + v, c - u + v};
+}
+
+std::string joined(Vec3 v, const char* between) {
+    return fmt::format("{}{}{}{}{}", v.x, between, v.y, between, v.z);
+}
+
+std::string joined(const Colour<LinearSrgb>& colour, const char* between) {
+    return joined(Vec3{colour[0], colour[1], colour[2]}, between);
+}
+
+SceneOrder scene_order(const Order& order) {
+    return {order.scene.plain, order.knobs, order.threads, order.scene.scene.render.max_depth};
+}
+
+Picture read_left_picture(const Order& order) {
+    const std::filesystem::path path = order.folder / kPictureFile;
+    const Image image = decode_exr(read_file(path), path.string()).image;
+    const PlainCamera& camera = order.scene.plain.camera;
+    Picture picture = picture_of(image, path.string());
+    if (picture.width != camera.width || picture.height != camera.height)
+        throw InputError(fmt::format("{}: expected a picture of {} × {} pixels", path.string(),
+                                     camera.width, camera.height));
+    return picture;
+}
+
+std::string version_line(const std::filesystem::path& program, const std::string& option,
+                         const std::string& with) {
+    const std::string command = fmt::format("'{}' {} 2>&1 </dev/null", program.string(), option);
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    std::string said;
+    for (int c = 0; pipe && (c = std::fgetc(pipe.get())) != EOF;) said += char(c);
+    const std::size_t begin = said.find(with);
+    return begin == std::string::npos ? "?" : said.substr(begin, said.find('\n', begin) - begin);
+}
+
+}  // namespace dewbow::bench
