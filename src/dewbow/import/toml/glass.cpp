@@ -6,6 +6,7 @@
 #include "dewbow/import/glass/glass_file.h"
 #include "dewbow/import/named_glass.h"
 #include "dewbow/import/toml/spectra.h"
+#include "dewbow/optics/paper_index.h"
 #include "dewbow/spectrum/rgb.h"
 
 namespace dewbow::toml_import {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr Range kIndexRange{1.0, 10.0};
 constexpr Range kAbbeRange{1.0, 1e6};
+constexpr Range kDispersivePowerRange{0.0, 1e3};
 constexpr Range kRangeRange{1.0, 1e9};  ///< wavelengths in nm
 constexpr Range kTransmittanceRange{0.0, 1.0, true, false};
 
@@ -64,6 +66,27 @@ DispersionPtr number_of(Table& table, const TomlValue& value) {
     return at_place(table.document(), value.place, [&] { return make_dispersion(data); });
 }
 
+/// The paper's index, of `eta_red` and `w`.
+DispersionPtr paper_index_of(Table& table, const TomlValue& value) {
+    static const std::array<std::string, 3> kReadings = {"intended", "exact", "printed"};
+    static const std::array<std::string, 2> kSpacings = {"frequency", "wavelength"};
+    constexpr IndexReading kReading[] = {IndexReading::intended, IndexReading::exact,
+                                         IndexReading::printed};
+    constexpr SpectralSpacing kSpacing[] = {SpectralSpacing::frequency,
+                                            SpectralSpacing::wavelength};
+    const TomlDocument& document = table.document();
+    const double eta_red = read_number(document, value, "eta_red", kIndexRange);
+    const double w = table.require_number("w", kDispersivePowerRange);
+    const auto choice = [&](std::string_view key, std::span<const std::string> words) {
+        const TomlValue* word = table.find(key);
+        return word ? read_choice(document, *word, key, words) : 0;
+    };
+    const std::size_t reading = choice("index_reading", kReadings);
+    const std::size_t spacing = choice("index_spacing", kSpacings);
+    return at_place(document, value.place,
+                    [&] { return paper_index(eta_red, w, kReading[reading], kSpacing[spacing]); });
+}
+
 SpectrumPtr read_absorption(Table& table) {
     table.at_most_one_of({"absorption_per_m", "absorption_colour"});
     const TomlDocument& document = table.document();
@@ -79,13 +102,16 @@ SpectrumPtr read_absorption(Table& table) {
 }  // namespace
 
 DispersionPtr read_index(Table& table, Diagnostics* notes) {
-    table.at_most_one_of({"glass", "dispersion", "ior"});
+    table.at_most_one_of({"glass", "dispersion", "ior", "eta_red"});
+    for (const char* other : {"glass", "dispersion", "ior"}) table.at_most_one_of({other, "w"});
     if (const TomlValue* value = table.find("glass"))
         return glass_of(table.document(), *value, notes);
     if (const TomlValue* value = table.find("dispersion"))
         return formula_of(table.document(), *value);
     if (const TomlValue* value = table.find("ior")) return number_of(table, *value);
-    table.fail_here("needs one of glass, dispersion, ior");
+    if (const TomlValue* value = table.find("eta_red")) return paper_index_of(table, *value);
+    table.fail_missing({"glass", "dispersion", "ior", "eta_red"},
+                       "needs one of glass, dispersion, ior, eta_red");
 }
 
 MediumPtr read_medium(Table& table, const std::string& name, int priority, Diagnostics* notes) {

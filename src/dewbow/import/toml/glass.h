@@ -2,14 +2,16 @@
 #pragma once
 
 // What fills a body, as scene files write it: an index by `glass` (a name of the catalogue), by
-// `dispersion` (a formula) or by `ior` with `abbe`; and how it absorbs.
+// `dispersion` (a formula), by `ior` with `abbe`, or by the paper's `eta_red` and `w`; and how it
+// absorbs.
 
 #include "dewbow/import/toml/table.h"
 #include "dewbow/scene/medium.h"
 
 namespace dewbow::toml_import {
 
-/// Reads `glass` | `dispersion` | `ior` and `abbe`. Exactly one of the three must be there.
+/// Reads `glass` | `dispersion` | `ior` and `abbe` | `eta_red` and `w`. Exactly one of the four
+/// must be there.
 /// @param notes  gets what has to be said of a glass (named_glass.h), unless nullptr.
 DispersionPtr read_index(Table& table, Diagnostics* notes);
 

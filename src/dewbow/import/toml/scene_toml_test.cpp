@@ -179,8 +179,24 @@ TEST(SceneTomlMaterials, GlassByNameByFormulaByNumber) {
                 0.02);  // the form's constants have 4 digits
 }
 
+// η + w (η − 1)/0.76 at the far violet; exact η + w (η − 1)/(κ − w f_D), with κ and f_D 0.3859 and
+// 0.3231 in frequency, 0.4052 and 0.5013 in wavelength.
+TEST(SceneTomlMaterials, ThePapersIndex) {
+    constexpr double kFourFigures = 5e-3;
+    const auto at_violet = [](const char* lines) {
+        const auto glass = surface<Dielectric>("type = \"glass\"\nw = 0.5\n" + std::string(lines));
+        return index_at(glass.interior->index, 380) / index_at(air(), 380);
+    };
+    EXPECT_NEAR(at_violet("eta_red = 4.2"), 6.3053, kFourFigures);
+    EXPECT_NEAR(at_violet("eta_red = 2\nindex_reading = \"exact\""), 2.0 + 0.5 / 0.22435,
+                kFourFigures);
+    EXPECT_NEAR(at_violet("eta_red = 2\nindex_reading = \"exact\"\nindex_spacing = \"wavelength\""),
+                2.0 + 0.5 / 0.15455, kFourFigures);
+}
+
 TEST(SceneTomlMaterials, AirInAirIsTheSameFunction) {
-    for (const char* lines : {"ior = 1", "glass = \"air\"", "glass = \"fluid/air\""}) {
+    for (const char* lines :
+         {"ior = 1", "eta_red = 1\nw = 0.5", "glass = \"air\"", "glass = \"fluid/air\""}) {
         EXPECT_EQ(surface<Dielectric>("type = \"glass\"\n" + std::string(lines)).interior->index,
                   air());
     }

@@ -45,12 +45,12 @@ public:
     void finish() const;
     /// InputError at this table: "`title` `sentence`".
     [[noreturn]] void fail_here(const std::string& sentence, const std::string& hint = {}) const;
-
-private:
     /// fail_here, or at a key that nobody asked for and that is near to one of `keys`, which are
     /// missing.
     [[noreturn]] void fail_missing(std::vector<std::string> keys,
                                    const std::string& sentence) const;
+
+private:
     const TomlEntry* find_entry(std::string_view key);
     const TomlEntry* find_suffixed(std::string_view stem,
                                    std::span<const std::string_view> suffixes);
