@@ -70,6 +70,19 @@ int nearest_facet_plain(const FacetColumns& f, const FloatRay& ray) {
 }
 
 #ifdef DEWBOW_X86
+// Without branches, whose outcome nobody can predict.
+__attribute__((target("avx2"))) __m256 least_of_all(__m256 v) {
+    v = _mm256_min_ps(v, _mm256_permute2f128_ps(v, v, 1));
+    v = _mm256_min_ps(v, _mm256_permute_ps(v, _MM_SHUFFLE(1, 0, 3, 2)));
+    return _mm256_min_ps(v, _mm256_permute_ps(v, _MM_SHUFFLE(2, 3, 0, 1)));
+}
+__attribute__((target("avx2"))) int least_of_all(__m256i v) {
+    v = _mm256_min_epi32(v, _mm256_permute2x128_si256(v, v, 1));
+    v = _mm256_min_epi32(v, _mm256_shuffle_epi32(v, _MM_SHUFFLE(1, 0, 3, 2)));
+    v = _mm256_min_epi32(v, _mm256_shuffle_epi32(v, _MM_SHUFFLE(2, 3, 0, 1)));
+    return _mm256_cvtsi256_si32(v);
+}
+
 /// The same, eight facets at a time. (The compiler keeps the running minimum in memory if left to
 /// itself, which costs three times as much.)
 __attribute__((target("avx2"))) int nearest_facet_avx2(const FacetColumns& f, const FloatRay& ray) {
@@ -90,23 +103,19 @@ __attribute__((target("avx2"))) int nearest_facet_avx2(const FacetColumns& f, co
         const __m256 inside = _mm256_add_ps(
             _mm256_add_ps(_mm256_mul_ps(x, ox), _mm256_mul_ps(y, oy)), _mm256_mul_ps(z, oz));
         const __m256 height = _mm256_max_ps(_mm256_sub_ps(_mm256_loadu_ps(f.d + i), inside), zero);
-        const __m256 t = _mm256_blendv_ps(infinite, _mm256_div_ps(height, slope),
-                                          _mm256_cmp_ps(slope, zero, _CMP_GT_OQ));
+        // Infinite by the slope's sign bit; 0 / 0 is not nearer, and not the minimum.
+        const __m256 t = _mm256_blendv_ps(_mm256_div_ps(height, slope), infinite, slope);
         const __m256i nearer = _mm256_castps_si256(_mm256_cmp_ps(t, nearest, _CMP_LT_OQ));
         nearest = _mm256_min_ps(t, nearest);
         best = _mm256_blendv_epi8(best, index, nearer);
         index = _mm256_add_epi32(index, _mm256_set1_epi32(kBlock));
     }
-    alignas(32) std::array<float, kBlock> distances;
-    alignas(32) std::array<int, kBlock> indices;
-    _mm256_store_ps(distances.data(), nearest);
-    _mm256_store_si256(reinterpret_cast<__m256i*>(indices.data()), best);
-    std::size_t lane = 0;  // ties go to the lower index, as in the plain form
-    for (std::size_t j = 1; j < kBlock; ++j)
-        if (distances[j] < distances[lane] ||
-            (distances[j] == distances[lane] && indices[j] < indices[lane]))
-            lane = j;
-    return indices[lane];
+    const __m256 least = least_of_all(nearest);
+    // Ties go to the lower index, as in the plain form.
+    const __m256i candidates =
+        _mm256_blendv_epi8(_mm256_set1_epi32(std::numeric_limits<int>::max()), best,
+                           _mm256_castps_si256(_mm256_cmp_ps(nearest, least, _CMP_EQ_OQ)));
+    return least_of_all(candidates);
 }
 #endif
 
@@ -133,16 +142,19 @@ DEWBOW_SIMD void distances_to_facet(const FacetPlane& plane, const FacetPlane* n
         t[k] = height / slope;
         within[k] = slope > 0.0 && height >= 0.0 ? 1.0 : 0.0;
     }
+    alignas(64) std::array<double, kMaxLanes> x, y, z;
+    for (int k = 0; k < count; ++k) {
+        const auto i = std::size_t(k);
+        x[i] = rays.ox[i] + t[k] * rays.dx[i];
+        y[i] = rays.oy[i] + t[k] * rays.dy[i];
+        z[i] = rays.oz[i] + t[k] * rays.dz[i];
+    }
     for (int j = 0; j < neighbour_count; ++j) {
-        const double x = neighbours[j].normal.x, y = neighbours[j].normal.y,
-                     z = neighbours[j].normal.z;
+        const Vec3 n = neighbours[j].normal;
         const double limit = neighbours[j].distance + margin;
         for (int k = 0; k < count; ++k) {
             const auto i = std::size_t(k);
-            const double px = rays.ox[i] + t[k] * rays.dx[i];
-            const double py = rays.oy[i] + t[k] * rays.dy[i];
-            const double pz = rays.oz[i] + t[k] * rays.dz[i];
-            within[k] = x * px + y * py + z * pz <= limit ? within[k] : 0.0;
+            within[k] = n.x * x[i] + n.y * y[i] + n.z * z[i] <= limit ? within[k] : 0.0;
         }
     }
 }
@@ -247,10 +259,11 @@ LaneMask ConvexSolid::try_facet(int facet, const RayLanes& rays, LaneMask mask,
 void ConvexSolid::leave(const RayLanes& rays, LaneMask mask, std::span<Hit> hits) const {
     while (mask) {
         const int lane = std::countr_zero(mask);
+        const LaneMask this_lane = 1u << lane;
         const int facet = search(rays.origin(lane), rays.direction(lane));
-        set_hit(facet, rays, lane, hits[std::size_t(lane)]);
-        mask &= mask - 1;
-        if (mask) mask = try_facet(facet, rays, mask, hits);
+        const LaneMask left = mask == this_lane ? mask : try_facet(facet, rays, mask, hits);
+        if (left & this_lane) set_hit(facet, rays, lane, hits[std::size_t(lane)]);
+        mask = left & ~this_lane;
     }
 }
 
