@@ -177,11 +177,6 @@ void LightSet::radiance(const LightSample& sample, const LaneSet& lanes, RgbLigh
         for (int k = 0; k < lanes.count; ++k) out[k] *= sample.factor;
 }
 
-bool LightSet::emits(const Hit& hit, Vec3 direction) const {
-    const int glowing = glowing_of_shape_[std::size_t(hit.shape)];
-    return glowing >= 0 && shapes_[std::size_t(glowing)].shines(direction, hit.normal);
-}
-
 const Glow& LightSet::glow_at(const Hit& hit) const {
     return shapes_[std::size_t(glowing_of_shape_[std::size_t(hit.shape)])].glow();
 }

@@ -45,7 +45,10 @@ public:
                   LaneValues& out) const;
 
     /// Whether the surface of `hit` gives off light to where the ray along `direction` comes from.
-    bool emits(const Hit& hit, Vec3 direction) const;
+    bool emits(const Hit& hit, Vec3 direction) const {
+        const int glowing = glowing_of_shape_[std::size_t(hit.shape)];
+        return glowing >= 0 && shapes_[std::size_t(glowing)].shines(direction, hit.normal);
+    }
     /// Whether its radiance differs from place to place.
     bool emission_varies(const Hit& hit) const { return glow_at(hit).varies(); }
     /// Radiance of the emitting surface at `hit`, which is `at` if it varies.

@@ -139,9 +139,7 @@ void PacketMedia::begin(const WavelengthPacket& packet) {
     ++generation_;
 }
 
-PacketMedia::Entry& PacketMedia::entry(int id) {
-    Entry& e = entries_[std::size_t(id)];
-    if (e.generation == generation_) return e;
+void PacketMedia::fill(Entry& e, int id) {
     e.generation = generation_;
     const Medium& medium = table_.medium(id);
     const auto lambdas = packet_.lambdas();
@@ -149,7 +147,6 @@ PacketMedia::Entry& PacketMedia::entry(int id) {
     e.absorbs = medium.absorption != nullptr;
     if (e.absorbs)
         medium.absorption->eval_lanes(lambdas, std::span(e.absorption).first(lambdas.size()));
-    return e;
 }
 
 MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,

@@ -70,7 +70,12 @@ private:
         alignas(64) std::array<double, kMaxLanes> index;
         alignas(64) std::array<double, kMaxLanes> absorption;
     };
-    Entry& entry(int id);
+    Entry& entry(int id) {
+        Entry& e = entries_[std::size_t(id)];
+        if (e.generation != generation_) fill(e, id);
+        return e;
+    }
+    void fill(Entry& e, int id);
 
     const MediaTable& table_;
     std::vector<Entry> entries_;

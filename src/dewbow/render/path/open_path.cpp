@@ -22,41 +22,29 @@ void Tracer::trace_open(OpenPath path) {
     HitLanes hits;
     while (path.active) {
         prepared_.accelerator.intersect(path.rays, path.active, hits);
-        for (int k = 0; k < path.lanes.count; ++k) {
-            if (!(path.active >> k & 1u)) continue;
-            const Hit& hit = hits[std::size_t(k)];
-            if (!hit) {
-                open_missed(path, k);
-                continue;
-            }
-            const auto i = std::size_t(k);
-            if (const auto* sigma = packet_media_.absorption(path.media[i].interior()))
-                path.beta[k] *= std::exp(-(*sigma)[std::size_t(path.lanes.id[i])] * hit.t);
-            if (prepared_.lights.emits(hit, path.rays.direction(k))) {
-                const SharedPath lane = lane_of(path, k);
-                add_emission(lane.lanes, lane.beta, lane.ray, hit, lane.from_specular,
-                             lane.last_pdf, lane.last_receiver, lane.media);
-            }
-        }
+        for (LaneMask rest = path.active; rest; rest &= rest - 1)
+            open_arrive(path, std::countr_zero(rest), hits);
         if (path.depth >= settings_.max_depth) return;
         std::array<int, kMaxLanes> materials;
+        LaneMask from_outside = 0;
         const std::uint32_t at = vertex_key(path.depth, path.branch);
         for (LaneMask rest = path.active; rest; rest &= rest - 1) {
             const int k = std::countr_zero(rest);
-            materials[std::size_t(k)] = material_at(path.rays.ray(k), hits[std::size_t(k)], at);
+            const Hit& hit = hits[std::size_t(k)];
+            materials[std::size_t(k)] = material_at(path.rays.ray(k), hit, at);
+            from_outside |= LaneMask(dot(path.rays.direction(k), hit.normal) < 0.0) << k;
         }
         // Lanes that meet the same surface in the same way go together.
         for (LaneMask rest = path.active; rest;) {
             const auto first = std::size_t(std::countr_zero(rest));
-            const bool front = dot(path.rays.direction(int(first)), hits[first].normal) < 0.0;
+            const bool front = from_outside >> first & 1u;
             LaneMask group = 0;
-            for (int k = int(first); k < path.lanes.count; ++k) {
-                const auto i = std::size_t(k);
-                const bool same = (rest >> k & 1u) && hits[i].shape == hits[first].shape &&
+            for (LaneMask m = rest & (front ? from_outside : ~from_outside); m; m &= m - 1) {
+                const auto i = std::size_t(std::countr_zero(m));
+                const bool same = hits[i].shape == hits[first].shape &&
                                   path.media[i] == path.media[first] &&
-                                  materials[i] == materials[first] &&
-                                  (dot(path.rays.direction(k), hits[i].normal) < 0.0) == front;
-                group |= LaneMask(same) << k;
+                                  materials[i] == materials[first];
+                group |= LaneMask(same) << i;
             }
             rest &= ~group;
             open_group(path, group, hits, materials[first]);
@@ -65,6 +53,23 @@ void Tracer::trace_open(OpenPath path) {
         if (path.active && !roulette(path.beta, path.lanes.count, path.active, path.depth,
                                      vertex_key(path.depth, path.branch)))
             return;
+    }
+}
+
+/// Lane k at the end of its ray: what it lost on the way, and the light that it finds there.
+void Tracer::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
+    const auto i = std::size_t(k);
+    const Hit& hit = hits[i];
+    if (!hit) {
+        open_missed(path, k);
+        return;
+    }
+    if (const auto* sigma = packet_media_.absorption(path.media[i].interior()))
+        path.beta[k] *= std::exp(-(*sigma)[std::size_t(path.lanes.id[i])] * hit.t);
+    if (prepared_.lights.emits(hit, path.rays.direction(k))) {
+        const SharedPath lane = lane_of(path, k);
+        add_emission(lane.lanes, lane.beta, lane.ray, hit, lane.from_specular, lane.last_pdf,
+                     lane.last_receiver, lane.media);
     }
 }
 
@@ -112,34 +117,39 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
             if (group >> k & 1u) pass(path, k, hits[std::size_t(k)], boundary);
         return;
     }
-    const RayLanes arriving = path.rays;
     BoundaryLanes lanes;
     indices(path.lanes, boundary, lanes.eta);
+    // Lanes outside the group are computed along and not used.
+    for (LaneValues* n : {&lanes.nx, &lanes.ny, &lanes.nz}) n->v.fill(0.0);
     std::array<Vec3, kMaxLanes> position;
-    for (int k = 0; k < count; ++k) {
+    const bool flat = has_true_normals(hits[first].shape);
+    for (LaneMask rest = group; rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
         const auto i = std::size_t(k);
-        Vec3 n{};  // lanes outside the group are computed along and not used
-        if (group >> k & 1u) {
-            position[i] = path.rays.origin(k) + path.rays.direction(k) * hits[i].t;
-            n = facing_normal(path.rays.ray(k), hits[i], front);
-        }
+        position[i] = path.rays.origin(k) + path.rays.direction(k) * hits[i].t;
+        const Vec3 n = !flat   ? mirror_normal(vertex_at(path.rays.ray(k), hits[i]))
+                       : front ? hits[i].normal
+                               : -hits[i].normal;
         lanes.nx.v[i] = n.x, lanes.ny.v[i] = n.y, lanes.nz.v[i] = n.z;
     }
     const double u = key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe);
     refract_or_reflect_lanes(count, u, path.rays, lanes);
-    LaneMask refracted = 0;
+    LaneMask reflected = 0;
+    for (LaneMask rest = group; rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
+        reflected |= LaneMask(lanes.reflected[k] != 0.0) << k;
+    }
+    tint_open(glass.tint, path, group & ~reflected, path.rays, hits);
     for (LaneMask rest = group; rest; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
         const auto i = std::size_t(k);
-        const bool reflects = lanes.reflected.v[i] != 0.0;
-        refracted |= LaneMask(!reflects) << k;
+        const bool reflects = reflected >> k & 1u;
         path.media[i] = reflects ? boundary.before : boundary.after;
         path.rays.set(k, {position[i],
                           {lanes.dx.v[i], lanes.dy.v[i], lanes.dz.v[i]},
                           {hits[i].shape, hits[i].primitive, front != reflects}});
         path.from_specular[i] = true;
     }
-    tint_open(glass.tint, path, refracted, arriving, hits);
 }
 
 /// Each lane at a rough boundary, by one microfacet for all of them.

@@ -15,12 +15,10 @@ constexpr double kLeastSurvival = 0.05;
 
 }  // namespace
 
-/// The normal that a smooth boundary turns rays by: on the side that the ray comes from.
-Vec3 Tracer::facing_normal(const Ray& ray, const Hit& hit, bool front) const {
-    const int id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
-    if (prepared_.accelerator.flat(hit.shape) && !material(id).normal_map)
-        return front ? hit.normal : -hit.normal;
-    return mirror_normal(vertex_at(ray, hit));
+/// Whether a smooth boundary of that shape turns rays by its true normals.
+bool Tracer::has_true_normals(int shape) const {
+    const int id = prepared_.scene.shapes[std::size_t(shape)].material;
+    return prepared_.accelerator.flat(shape) && !material(id).normal_map;
 }
 
 void Tracer::indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta) {

@@ -116,6 +116,7 @@ private:
                           const Boundary& boundary, const LaneValues& eta, Vec3 normal);
 
     void trace_open(OpenPath path);
+    void open_arrive(OpenPath& path, int k, const HitLanes& hits);
     void open_missed(OpenPath& path, int k);
     void open_group(OpenPath& path, LaneMask group, const HitLanes& hits, int material_id);
     void pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundary);
@@ -147,9 +148,12 @@ private:
     Vertex vertex_at(const Ray& ray, const Hit& hit) const {
         return dewbow::vertex_at(prepared_, ray, hit);
     }
-    Vec3 facing_normal(const Ray& ray, const Hit& hit, bool front) const;
+    bool has_true_normals(int shape) const;
     int material_at(const Ray& ray, const Hit& hit, std::uint32_t vertex) const {
-        return dewbow::material_at(prepared_, ray, hit, key_, vertex);
+        const int id = prepared_.scene.shapes[std::size_t(hit.shape)].material;
+        return std::holds_alternative<Mix>(material(id).surface)
+                   ? dewbow::material_at(prepared_, ray, hit, key_, vertex)
+                   : id;
     }
     const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
