@@ -50,6 +50,8 @@ public:
     /// Whether more samples lead to the true picture. Others have colours or an index of their own, and are
     /// also compared with their own limit (400 spectral samples).
     virtual bool converges_to_truth() const = 0;
+    /// Contestants of one limit say the same: it is rendered once, by the first of them.
+    virtual std::string limit_name() const { return name(); }
     /// What it does instead when asked for `wanted` samples a pixel (a square, a power of two…).
     virtual int possible_samples_per_pixel(int wanted) const { return wanted; }
     /// Writes what its program needs into the folder; neither counted nor timed. Returns the words of the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow_contestants.h"
 
-#include <algorithm>
+#include "child_process.h"
 
 #include "dewbow/base/error.h"
 #include "dewbow/base/file.h"
@@ -18,7 +18,7 @@ public:
     DewbowContestant(std::string name, std::filesystem::path program)
         : name_(std::move(name)), program_(std::move(program)) {}
     std::string name() const override { return name_; }
-    std::string version() const override { return "dewbow"; }
+    std::string version() const override { return first_line_of({program_.string(), "--version"}); }
     bool splits_spectrum() const override { return false; }
     bool converges_to_truth() const override { return true; }
 

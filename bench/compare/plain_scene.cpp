@@ -91,6 +91,7 @@ PlainLamp plain_lamp(const Shape& shape, const Material& material, double film_f
     if (material.emission_texture || material.coverage || !material.emission)
         refuse("the surface '" + shape.name + "' glows evenly");
     PlainLamp lamp;
+    lamp.name = shape.name;
     double u = 0.0, v = 0.0;
     if (const auto* rectangle = std::get_if<Rectangle>(&shape.geometry)) {
         u = 0.5 * rectangle->width.to(unit::m);

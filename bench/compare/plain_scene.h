@@ -5,6 +5,7 @@
 // language: a pinhole, one clear convex body with flat faces, surfaces that only glow, even surroundings.
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "dewbow/scene/scene.h"
@@ -35,6 +36,7 @@ enum class LampShape { rectangle, disc };
 /// A flat surface that reflects nothing, and gives off the same light in all directions of the side to which
 /// its normal points (or of both).
 struct PlainLamp {
+    std::string name;
     LampShape shape = LampShape::rectangle;
     Vec3 centre, normal;   ///< m; unit vector
     Vec3 half_u, half_v;   ///< to the middles of two sides (rectangle), along two radii (disc), m: normal = u × v

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_references.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "child_process.h"
+#include "dewbow/base/error.h"
+#include "dewbow/base/file.h"
+#include "dewbow/base/hash.h"
+#include "dewbow/base/random.h"
+#include "dewbow/image/exr.h"
+#include "exact_picture.h"
+#include "scratch_folder.h"
+
+namespace dewbow::bench {
+namespace {
+
+/// No contestant's seed: those count from 1.
+constexpr std::uint64_t kFirstHalfSeed = 1'000'001, kSecondHalfSeed = 2'000'003;
+
+class Key {
+public:
+    Key& add(double value) {
+        hash_ = hash_combine(hash_, std::bit_cast<std::uint64_t>(value));
+        return *this;
+    }
+    Key& add(Vec3 v) { return add(v.x).add(v.y).add(v.z); }
+    Key& add(std::string_view text) {
+        hash_ = hash_combine(hash_, hash_of_text(text));
+        return *this;
+    }
+    std::string text() const { return fmt::format("{:016x}", hash_); }
+
+private:
+    std::uint64_t hash_ = 0;
+};
+
+/// All that the picture depends on.
+Key key_of(const PlainScene& scene) {
+    Key key;
+    const PlainCamera& camera = scene.camera;
+    key.add(camera.eye).add(camera.right).add(camera.up).add(camera.forward);
+    key.add(camera.tan_half_vertical_fov).add(double(camera.width)).add(double(camera.height));
+    for (const Vec3 vertex : scene.body.vertices) key.add(vertex);
+    for (const auto& triangle : scene.body.triangles)
+        for (const std::uint32_t corner : triangle) key.add(double(corner));
+    for (const PlainLamp& lamp : scene.lamps) {
+        key.add(double(lamp.shape)).add(double(lamp.two_sided));
+        key.add(lamp.centre).add(lamp.half_u).add(lamp.half_v);
+    }
+    for (double nm = kLambdaMin_nm; nm <= kLambdaMax_nm; nm += 5.0) {
+        const Wavelength lambda = nm * unit::nm;
+        key.add((*scene.body.index)(lambda).value).add((*scene.surrounding_index)(lambda).value);
+        for (const PlainLamp& lamp : scene.lamps) key.add((*lamp.radiance)(lambda));
+        if (scene.surroundings) key.add((*scene.surroundings)(lambda));
+    }
+    return key.add(scene.film_from_xyz);
+}
+
+/// The picture of `path`, or the one that `make` gives, which is written there.
+template <class Make>
+Picture kept(const std::filesystem::path& path, const Make& make) {
+    if (std::filesystem::exists(path))
+        return picture_of(decode_exr(read_file(path), path.string()).image, path.string());
+    const Picture picture = make();
+    std::filesystem::create_directories(path.parent_path());
+    write_file_atomically(path, encode_exr(image_of(picture), {}, {}));
+    return picture;
+}
+
+template <class Make>
+Reference two_halves(const std::filesystem::path& folder, const std::string& name,
+                     const Make& make) {
+    const auto half = [&](int number, std::uint64_t seed) {
+        return kept(folder / fmt::format("{}-{}.exr", name, number), [&] { return make(seed); });
+    };
+    const Picture first = half(1, kFirstHalfSeed), second = half(2, kSecondHalfSeed);
+    return make_reference(first, second);
+}
+
+}  // namespace
+
+Reference true_picture(const BenchScene& scene, const ReferenceSettings& settings) {
+    const int samples = settings.truth_samples;
+    const std::string key = key_of(scene.plain).text();
+    return two_halves(settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples),
+                      [&](std::uint64_t seed) { return exact_picture(scene.plain, samples, seed); });
+}
+
+Reference own_limit(const BenchScene& scene, const Contestant& contestant,
+                    const ReferenceSettings& settings) {
+    Knobs knobs;
+    knobs.spectral_samples = settings.limit_spectral_samples;
+    knobs.samples_per_pixel =
+        contestant.possible_samples_per_pixel(settings.limit_samples_per_pixel);
+    const auto render = [&](std::uint64_t seed) {
+        const ScratchFolder folder;
+        knobs.seed = seed;
+        const Order order{scene, knobs, settings.threads, folder.path()};
+        const ChildUsage usage = run_child(contestant.write(order), folder.path());
+        if (usage.exit_code != 0)
+            throw InputError(fmt::format("{} ended with {} at its own limit of {}: {}",
+                                         contestant.name(), usage.exit_code, scene.name,
+                                         log_tail(folder.path())));
+        return contestant.read(order);
+    };
+    const ScratchFolder folder;
+    const std::string program = contestant.write({scene, knobs, 1, folder.path()}).front();
+    Key key = key_of(scene.plain);
+    key.add(read_file(program)).add(contestant.version());
+    return two_halves(settings.folder,
+                      fmt::format("{}-{}-{}-{}-{}", scene.name, key.text(),
+                                  contestant.limit_name(), knobs.spectral_samples,
+                                  knobs.samples_per_pixel),
+                      render);
+}
+
+}  // namespace dewbow::bench
