@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "dewbow/spectrum/linear_model.h"
+
 namespace dewbow {
 
 struct GlassListCommand {
@@ -40,13 +42,25 @@ struct GlassConvertCommand {
     bool json = false;
 };
 
-using GlassCommand =
-    std::variant<GlassListCommand, GlassShowCommand, GlassImportCommand, GlassConvertCommand>;
+/// The paper's index of a glass, or of η at the far red and w; of neither: of the whole catalogue.
+struct GlassPaperCommand {
+    std::string name;
+    double eta_red = 0.0, w = 0.0;
+    SpectralSpacing spacing = SpectralSpacing::frequency;
+    std::string plot;  ///< an SVG file, or empty
+    bool json = false;
+
+    bool is_of_all() const { return name.empty() && eta_red == 0.0; }
+};
+
+using GlassCommand = std::variant<GlassListCommand, GlassShowCommand, GlassImportCommand,
+                                  GlassConvertCommand, GlassPaperCommand>;
 
 // Each returns the program's exit code.
 int run(const GlassListCommand& command);
 int run(const GlassShowCommand& command);
 int run(const GlassImportCommand& command);
 int run(const GlassConvertCommand& command);
+int run(const GlassPaperCommand& command);
 
 }  // namespace dewbow

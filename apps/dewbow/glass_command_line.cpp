@@ -16,6 +16,7 @@ namespace {
 /// Beyond this glass catalogues say nothing.
 constexpr double kShortest_nm = 200.0, kLongest_nm = 3000.0;
 constexpr double kLeastIndex = 1.0001, kMostIndex = 10.0, kLeastValue = 1e-9, kMostValue = 1e6;
+constexpr double kMostPower = 1e3;
 constexpr std::size_t kMostCompared = 24;
 
 constexpr const char* kExamples = R"(Examples:
@@ -25,7 +26,9 @@ constexpr const char* kExamples = R"(Examples:
   dewbow glass compare N-BK7 F2 SF10 diamond water@25C --plot glasses.svg
   dewbow glass import maker.agf --rows maker.csv
   dewbow glass convert N-SF11
-  dewbow glass convert --n-d 1.5 --gltf 0.4)";
+  dewbow glass convert --n-d 1.5 --gltf 0.4
+  dewbow glass paper N-BK7 --plot n-bk7.svg
+  dewbow glass paper --eta-red 4.2 --w 0.5)";
 
 void add_flag(CLI::App& app, const char* name, bool& flag, const char* what) {
     app.add_flag(name, flag, what)->disable_flag_override();
@@ -77,7 +80,7 @@ std::string checked_file(const std::string& option, const std::optional<std::str
 
 GlassCommandLine::GlassCommandLine(CLI::App& app) : values_(dispersion_units().size()) {
     CLI::App* glass = app.add_subcommand(
-        "glass", "Glasses, gems and fluids: list, show, compare, import, convert");
+        "glass", "Glasses, gems and fluids: list, show, compare, import, convert, paper");
     glass->allow_extras();
     glass->footer(kExamples);
     add_list(*glass);
@@ -85,6 +88,7 @@ GlassCommandLine::GlassCommandLine(CLI::App& app) : values_(dispersion_units().s
     add_compare(*glass);
     add_import(*glass);
     add_convert(*glass);
+    add_paper(*glass);
 }
 
 void GlassCommandLine::add_list(CLI::App& glass) {
@@ -140,6 +144,19 @@ void GlassCommandLine::add_convert(CLI::App& glass) {
         add_option(*convert_, option, values_[i], units[i].meaning, "X");
     }
     add_flag(*convert_, "--json", json_, "Print JSON");
+}
+
+void GlassCommandLine::add_paper(CLI::App& glass) {
+    paper_ = add_subcommand(
+        glass, "paper", "The index as Musgrave 1989 has it, beside the true one; alone: its claim");
+    add_option(*paper_, "name", only_, "A glass; or else --eta-red and --w", "NAME");
+    add_option(*paper_, "--eta-red", eta_red_, "Index at the far red, 800 nm", "4.2");
+    add_option(*paper_, "--w", w_, "Dispersive power (n_F - n_C)/(n_D - 1)", "0.5");
+    add_option(*paper_, "--spacing", spacing_, "What the index is straight in (frequency)",
+               "frequency|wavelength");
+    add_option(*paper_, "--plot", plot_, "Write the indices and the formulas' errors here",
+               "FILE.svg");
+    add_flag(*paper_, "--json", json_, "Print JSON");
 }
 
 std::vector<double> GlassCommandLine::at_nm() const {
@@ -198,12 +215,34 @@ GlassConvertCommand GlassCommandLine::convert_command() const {
     return command;
 }
 
+GlassPaperCommand GlassCommandLine::paper_command() const {
+    static const std::vector<std::string> kSpacings{"frequency", "wavelength"};
+    GlassPaperCommand command;
+    command.name = only_;
+    command.json = json_;
+    command.plot = checked_file("--plot", plot_, ".svg");
+    if (spacing_ && parse_word("--spacing", *spacing_, kSpacings) == 1)
+        command.spacing = SpectralSpacing::wavelength;
+    if (!only_.empty() && (!eta_red_.empty() || !w_.empty()))
+        throw UsageError("a glass is named, and numbers are given: one of them is too many");
+    if (eta_red_.empty() != w_.empty())
+        throw UsageError(eta_red_.empty() ? "--eta-red is missing" : "--w is missing");
+    if (!eta_red_.empty()) {
+        command.eta_red = parse_real("--eta-red", eta_red_, kLeastIndex, kMostIndex);
+        command.w = parse_real("--w", w_, 0.0, kMostPower);
+    }
+    if (command.is_of_all() && !command.plot.empty())
+        throw UsageError("--plot wants a glass, or --eta-red and --w");
+    return command;
+}
+
 std::optional<GlassCommand> GlassCommandLine::command() const {
     if (list_->parsed()) return GlassListCommand{only_, json_};
     if (show_->parsed()) return show_command();
     if (compare_->parsed()) return compare_command();
     if (import_->parsed()) return import_command();
     if (convert_->parsed()) return convert_command();
+    if (paper_->parsed()) return paper_command();
     return std::nullopt;
 }
 

@@ -77,6 +77,22 @@ TEST(GlassWrongInput, Conversions) {
     });
 }
 
+TEST(GlassWrongInput, PapersIndex) {
+    check({
+        {{"paper", "F55"}, kWrongUse, {"unknown glass \"F55\"", "did you mean schott/F5"}},
+        {{"paper", "air"}, kWrongUse, {"has no dispersion against air"}},
+        {{"paper", "vacuum"}, kWrongUse, {"has no dispersion against air"}},
+        {{"paper", "F2", "--w", "0.5"}, kWrongUse, {"one of them is too many"}},
+        {{"paper", "--w", "0.5"}, kWrongUse, {"--eta-red is missing"}},
+        {{"paper", "--eta-red", "1.5"}, kWrongUse, {"--w is missing"}},
+        {{"paper", "--eta-red", "1", "--w", "0.5"}, kWrongUse, {"--eta-red is 1"}},
+        {{"paper", "--eta-red", "1.5", "--w", "nan"}, kWrongUse, {"--w is"}},
+        {{"paper", "F2", "--spacing", "frequenzy"}, kWrongUse, {"frequency"}},
+        {{"paper", "--plot", "all.svg"}, kWrongUse, {"--plot wants a glass"}},
+        {{"paper", "F2", "--plot", "missing/f2.svg"}, kWrongInput, {"missing/f2.svg"}},
+    });
+}
+
 TEST(GlassWrongInput, Files) {
     const std::string bk7 =
         "NM A 2 0 1.5168 64.17\nCD 1.04 0.006 0.23 0.02 1.01 103.6\nLD 0.3 2.5\n";

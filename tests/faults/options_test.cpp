@@ -123,6 +123,13 @@ const std::vector<Option> kGlassOptions{
     {"--plot", {}, {"0", "svg", "a.svgz", "a.png", "/", "."}, "ends in .svg"},
 };
 
+const std::vector<Option> kGlassPaperOptions{
+    {"--eta-red", {}, {"-1", "0", "1", "10.1", "1,5"}, "--eta-red"},
+    {"--w", {}, {"-0.1", "1001", "0.5.5"}, "--w"},
+    {"--spacing", {}, {"Frequency", "lambda", "frequency,wavelength"}, "--spacing"},
+    {"--plot", {}, {"0", "svg", "a.png", "/", "."}, "ends in .svg"},
+};
+
 const std::vector<Option> kRainbowOptions{
     {"--model", {}, {"MIE", "mie,", ",", "mie,mei"}, "--model"},
     {"--order", {}, {"-1", "8", "2,", "2,9", "1.5"}, "from 0 to 7"},
@@ -229,6 +236,7 @@ void refuse_all(const std::vector<std::string>& command, const std::vector<Optio
 TEST(Options, AllAreInTheTable) {
     EXPECT_EQ(options_of_help({"render"}), names_of(kRenderOptions));
     EXPECT_EQ(options_of_help({"glass", "show"}), names_of(kGlassOptions));
+    EXPECT_EQ(options_of_help({"glass", "paper"}), names_of(kGlassPaperOptions));
     EXPECT_EQ(options_of_help({"rainbow"}), names_of(kRainbowOptions));
     for (const std::string& name : options_of_help({"scene", "check"}))
         EXPECT_TRUE(names_of(kRenderOptions).contains(name)) << name;
@@ -237,6 +245,10 @@ TEST(Options, AllAreInTheTable) {
 TEST(Options, OfRenderRefuseAbsurdValues) { refuse_all({"render", "scene.toml"}, kRenderOptions); }
 
 TEST(Options, OfGlassRefuseAbsurdValues) { refuse_all({"glass", "show", "N-BK7"}, kGlassOptions); }
+
+TEST(Options, OfPapersIndexRefuseAbsurdValues) {
+    refuse_all({"glass", "paper", "--eta-red", "2", "--w", "0.1"}, kGlassPaperOptions);
+}
 
 TEST(Options, OfRainbowRefuseAbsurdValues) { refuse_all({"rainbow"}, kRainbowOptions); }
 
