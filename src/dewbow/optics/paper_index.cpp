@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dewbow/base/error.h"
@@ -44,9 +46,14 @@ public:
     explicit PaperIndex(DispersionPtr line) : line_(std::move(line)), air_(air()) {}
 
     void eval_lanes(std::span<const double> lambda_nm, std::span<double> n_out) const override {
+        constexpr std::size_t kBlock = 16;
         line_->eval_lanes(lambda_nm, n_out);
-        for (std::size_t i = 0; i < n_out.size(); ++i)
-            n_out[i] *= (*air_)(lambda_nm[i] * unit::nm).value;
+        for (std::size_t first = 0; first < n_out.size(); first += kBlock) {
+            const std::size_t count = std::min(kBlock, n_out.size() - first);
+            std::array<double, kBlock> n_air;
+            air_->eval_lanes(lambda_nm.subspan(first, count), {n_air.data(), count});
+            for (std::size_t i = 0; i < count; ++i) n_out[first + i] *= n_air[i];
+        }
     }
 
 protected:

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "dewbow/base/error.h"
 #include "dewbow/optics/catalogue.h"
@@ -165,10 +166,11 @@ TEST(PaperIndex, GoesOnBeyondItsSpectrumAndStaysAMedium) {
 
 TEST(PaperIndex, OfLanesIsThatOfEach) {
     const DispersionPtr n = paper_index(4.2, 0.5, IndexReading::intended);
-    const double nm[] = {830.0, 700.5, 589.3, 486.1, 360.0};
-    double lanes[5];
+    std::vector<double> nm, lanes(19);  // more than a block
+    for (int i = 0; i < 19; ++i) nm.push_back(830.0 - 25.3 * i);
     n->eval_lanes(nm, lanes);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(lanes[i], (*n)(nm[i] * unit::nm).value);
+    for (std::size_t i = 0; i < nm.size(); ++i)
+        EXPECT_EQ(lanes[i], (*n)(nm[i] * unit::nm).value) << nm[i];
 }
 
 }  // namespace
