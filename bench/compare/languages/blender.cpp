@@ -165,9 +165,10 @@ public:
     bool converges_to_truth() const override { return false; }
 
     std::vector<std::string> write(const Order& order) const override {
-        write_file_atomically(order.folder / "scene.py", blender_script(scene_order(order)));
+        const std::filesystem::path script = order.folder / "scene.py";  // Blender asks PWD where it is
+        write_file_atomically(script, blender_script(scene_order(order)));
         return {program_.string(), "--background", "--factory-startup", "--python-exit-code", "1",
-                "--python", "scene.py"};
+                "--python", script.string()};
     }
     Picture read(const Order& order) const override { return read_left_picture(order); }
 
@@ -192,7 +193,7 @@ std::string blender_script(const SceneOrder& order) {
                         indices);
     text += world_text(scene.surroundings_colour) + camera_text(scene.camera);
     text += fmt::format("scene.render.threads = {}\nscene.cycles.samples = {}\nscene.cycles.seed = {}\n"
-                        "scene.cycles.max_bounces = {}\nscene.render.filepath = os.path.abspath('{}')\n",
+                        "scene.cycles.max_bounces = {}\nscene.render.filepath = os.path.join(os.path.dirname(__file__), '{}')\n",
                         order.threads, order.knobs.samples_per_pixel,
                         order.knobs.seed & 0x7fffffffu, std::min(order.max_depth, kMostBounces),
                         kPictureFile);

@@ -75,7 +75,7 @@ std::string body_text(const PlainScene& scene) {
 class Pbrt : public Contestant {
 public:
     explicit Pbrt(std::filesystem::path program)
-        : program_(std::move(program)), version_(version_line(program_, "--help", "pbrt version")) {}
+        : program_(std::move(program)), version_(version_line(program_, "/dev/null", "pbrt version")) {}
     std::string name() const override { return "pbrt-path"; }
     std::string version() const override { return version_; }
     bool splits_spectrum() const override { return false; }

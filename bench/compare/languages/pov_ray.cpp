@@ -20,8 +20,8 @@ constexpr Wavelength kFirst = 380.0 * unit::nm, kLast = 730.0 * unit::nm;
 /// POV-Ray's own greatest max_trace_level.
 constexpr int kMostDepth = 256;
 
-/// Light that a ray would add less than this share of is not followed. Of ten times this the diamond loses light
-/// that one can measure, of a tenth it does not change.
+/// Rays that would add less than this share are not followed. Seen on the diamond: 1e-4 adds 5e-4 of the light,
+/// POV-Ray's default of 1/255 loses 2e-3 and saves a seventh of the time.
 constexpr double kBailout = 1e-3;
 
 std::string camera_text(const PlainCamera& camera) {
