@@ -8,8 +8,9 @@
 #include "common.h"
 #include "dewbow/base/file.h"
 
-// Blender's Cycles knows no dispersion: its spectra are three numbers. What artists do instead is a glass of three
-// glasses, each of one primary and with an index of its own. It converges to three pictures, one over the other.
+// Blender's Cycles knows no dispersion: its spectra are three numbers. What artists do instead is a
+// glass of three glasses, each of one primary and with an index of its own. It converges to three
+// pictures, one over the other.
 
 namespace dewbow::bench {
 namespace {
@@ -37,7 +38,8 @@ std::vector<Vec3> outline(const PlainLamp& lamp) {
     std::vector<Vec3> points;
     for (int i = 0; i < kDiscSides; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / kDiscSides;
-        points.push_back(lamp.centre + lamp.half_u * std::cos(angle) + lamp.half_v * std::sin(angle));
+        points.push_back(lamp.centre + lamp.half_u * std::cos(angle) +
+                         lamp.half_v * std::sin(angle));
     }
     return points;
 }
@@ -165,10 +167,11 @@ public:
     bool converges_to_truth() const override { return false; }
 
     std::vector<std::string> write(const Order& order) const override {
-        const std::filesystem::path script = order.folder / "scene.py";  // Blender asks PWD where it is
+        const std::filesystem::path script =
+            order.folder / "scene.py";  // Blender asks PWD where it is
         write_file_atomically(script, blender_script(scene_order(order)));
         return {program_.string(), "--background", "--factory-startup", "--python-exit-code", "1",
-                "--python", script.string()};
+                "--python",        script.string()};
     }
     Picture read(const Order& order) const override { return read_left_picture(order); }
 
@@ -183,20 +186,23 @@ std::string blender_script(const SceneOrder& order) {
     const PlainScene& scene = order.scene;
     std::string text = kBegin;
     for (std::size_t i = 0; i < scene.lamps.size(); ++i)
-        text += fmt::format("lamp('lamp {}', {}, ({}), {})\n", i, list_of(outline(scene.lamps[i])),
-                            joined(scene.lamps[i].colour), scene.lamps[i].two_sided ? "True" : "False");
+        text +=
+            fmt::format("lamp('lamp {}', {}, ({}), {})\n", i, list_of(outline(scene.lamps[i])),
+                        joined(scene.lamps[i].colour), scene.lamps[i].two_sided ? "True" : "False");
     std::string indices, faces;
     for (const Wavelength primary : kPrimaries)
         indices += fmt::format("{}, ", relative_index(scene, primary));
-    for (const auto& t : scene.body.triangles) faces += fmt::format("({}, {}, {}), ", t[0], t[1], t[2]);
+    for (const auto& t : scene.body.triangles)
+        faces += fmt::format("({}, {}, {}), ", t[0], t[1], t[2]);
     text += fmt::format("add('body', {}, [{}], glass([{}]))\n", list_of(scene.body.vertices), faces,
                         indices);
     text += world_text(scene.surroundings_colour) + camera_text(scene.camera);
-    text += fmt::format("scene.render.threads = {}\nscene.cycles.samples = {}\nscene.cycles.seed = {}\n"
-                        "scene.cycles.max_bounces = {}\nscene.render.filepath = os.path.join(os.path.dirname(__file__), '{}')\n",
-                        order.threads, order.knobs.samples_per_pixel,
-                        order.knobs.seed & 0x7fffffffu, std::min(order.max_depth, kMostBounces),
-                        kPictureFile);
+    text += fmt::format(
+        "scene.render.threads = {}\nscene.cycles.samples = {}\nscene.cycles.seed = {}\n"
+        "scene.cycles.max_bounces = {}\nscene.render.filepath = "
+        "os.path.join(os.path.dirname(__file__), '{}')\n",
+        order.threads, order.knobs.samples_per_pixel, order.knobs.seed & 0x7fffffffu,
+        std::min(order.max_depth, kMostBounces), kPictureFile);
     return text + kSettings;
 }
 

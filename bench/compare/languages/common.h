@@ -11,7 +11,8 @@
 
 namespace dewbow::bench {
 
-/// Index of the body against what surrounds it. Our scenes lie in air, whose index others take for 1.
+/// Index of the body against what surrounds it. Our scenes lie in air, whose index others take for
+/// 1.
 double relative_index(const PlainScene& scene, Wavelength lambda);
 
 /// The four corners of a rectangle, counter-clockwise as seen from where its normal points.
@@ -23,10 +24,12 @@ std::string joined(const Colour<LinearSrgb>& colour, const char* between = ", ")
 
 SceneOrder scene_order(const Order& order);
 
-/// R, G and B of the file that the program left in `folder`. Throws InputError (none, another size).
+/// R, G and B of the file that the program left in `folder`. Throws InputError (none, another
+/// size).
 Picture read_left_picture(const Order& order);
 
-/// What a program says when it is asked for its version, from the line that has `with`; "?" if it says nothing.
+/// What a program says when it is asked for its version, from the line that has `with`; "?" if it
+/// says nothing.
 std::string version_line(const std::filesystem::path& program, const std::string& option,
                          const std::string& with);
 

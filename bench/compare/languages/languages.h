@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The other renderers as contestants: each is told the scene in its own language. Nothing is fitted to their
-// pictures: cameras, indices and radiances are stated as the scene has them, and exposure is 1.
+// The other renderers as contestants: each is told the scene in its own language. Nothing is fitted
+// to their pictures: cameras, indices and radiances are stated as the scene has them, and exposure
+// is 1.
 
 #include <string>
 

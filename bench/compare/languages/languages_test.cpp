@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Each of the other renderers is told a scene of a wedge of glass and six lamps, and its picture is compared with
-// the same lamps followed by Snell's and Fresnel's laws: the proof that camera, handedness, index, sides of lamps
-// and exposure are what we said. A contestant whose program is not here is skipped.
+// Each of the other renderers is told a scene of a wedge of glass and six lamps, and its picture is
+// compared with the same lamps followed by Snell's and Fresnel's laws: the proof that camera,
+// handedness, index, sides of lamps and exposure are what we said. A contestant whose program is
+// not here is skipped.
 
 #include "languages.h"
 
@@ -79,20 +80,22 @@ PlainScene wedge_and_lamps() {
     scene.body = wedge(kIndex);
     scene.surrounding_index = vacuum();
     const Vec3 eye = scene.camera.eye;
-    scene.lamps = {lamp(LampShape::rectangle, {0.2, 0.3, -3.0}, eye, 0.25, 0.1, "A", 1.0),
-                   lamp(LampShape::disc, {-0.7, -0.4, -2.5}, {0.0, 0.0, 2.0}, 0.22, 0.22, "D65", 0.5),
-                   lamp(LampShape::rectangle, {0.75, -0.5, 0.9}, eye, 0.06, 0.12, "A", 0.8),
-                   // Away from the camera: the first is dark, the second glows on both sides.
-                   lamp(LampShape::rectangle, {0.4, -0.35, -2.0}, {0.5, -0.5, -9.0}, 0.2, 0.2, "D65", 1.0),
-                   lamp(LampShape::disc, {-0.9, 0.6, 0.4}, {-1.2, 0.7, -9.0}, 0.1, 0.1, "D65", 0.7),
-                   // Behind the camera, seen in the front face.
-                   lamp(LampShape::disc, {-1.35, 0.0, 3.3}, {0.0, 0.0, 0.3}, 0.4, 0.4, "D65", 3.0)};
+    scene.lamps = {
+        lamp(LampShape::rectangle, {0.2, 0.3, -3.0}, eye, 0.25, 0.1, "A", 1.0),
+        lamp(LampShape::disc, {-0.7, -0.4, -2.5}, {0.0, 0.0, 2.0}, 0.22, 0.22, "D65", 0.5),
+        lamp(LampShape::rectangle, {0.75, -0.5, 0.9}, eye, 0.06, 0.12, "A", 0.8),
+        // Away from the camera: the first is dark, the second glows on both sides.
+        lamp(LampShape::rectangle, {0.4, -0.35, -2.0}, {0.5, -0.5, -9.0}, 0.2, 0.2, "D65", 1.0),
+        lamp(LampShape::disc, {-0.9, 0.6, 0.4}, {-1.2, 0.7, -9.0}, 0.1, 0.1, "D65", 0.7),
+        // Behind the camera, seen in the front face.
+        lamp(LampShape::disc, {-1.35, 0.0, 3.3}, {0.0, 0.0, 0.3}, 0.4, 0.4, "D65", 3.0)};
     scene.lamps[4].two_sided = true;
     scene.film_from_xyz = kFilmFromXyz;
     return scene;
 }
 
-// ---- the same by Snell and Fresnel ---------------------------------------------------------------
+// ---- the same by Snell and Fresnel
+// ---------------------------------------------------------------
 
 struct Ray {
     Vec3 from, along;  ///< unit direction
@@ -136,16 +139,15 @@ std::optional<std::array<Crossing, 2>> crossings(const PlainBody& body, const Ra
     return std::array{in, out};
 }
 
-/// By Snell's law with n_i / n_t = `ratio`; the normal is against the ray. Nothing at total reflection.
+/// By Snell's law with n_i / n_t = `ratio`; the normal is against the ray. Nothing at total
+/// reflection.
 std::optional<Vec3> refracted(Vec3 along, Vec3 normal, double ratio) {
     const double cos_i = -dot(along, normal), k = 1.0 - ratio * ratio * (1.0 - cos_i * cos_i);
     if (k < 0.0) return std::nullopt;
     return along * ratio + normal * (ratio * cos_i - std::sqrt(k));
 }
 
-Vec3 mirrored(Vec3 along, Vec3 normal) {
-    return along - normal * (2.0 * dot(along, normal));
-}
+Vec3 mirrored(Vec3 along, Vec3 normal) { return along - normal * (2.0 * dot(along, normal)); }
 
 double reflectance(double cos_i, double cos_t, double n_i, double n_t) {
     const double s = (n_i * cos_i - n_t * cos_t) / (n_i * cos_i + n_t * cos_t);
@@ -163,8 +165,10 @@ Rgb light_along(const PlainScene& scene, const Ray& ray) {
     if (!meets) return {};
     const Crossing& in = (*c)[0];
     Vec3 at = ray.from + ray.along * in.t, along = *refracted(ray.along, in.normal, 1.0 / kIndex);
-    const double r_in = reflectance(-dot(ray.along, in.normal), -dot(along, in.normal), 1.0, kIndex);
-    Rgb light = r_in * lamp_light(scene, {at, mirrored(ray.along, in.normal)}, kFar).value_or(Rgb{});
+    const double r_in =
+        reflectance(-dot(ray.along, in.normal), -dot(along, in.normal), 1.0, kIndex);
+    Rgb light =
+        r_in * lamp_light(scene, {at, mirrored(ray.along, in.normal)}, kFar).value_or(Rgb{});
     double weight = 1.0 - r_in;
     for (int k = 0; k < kReflections; ++k) {
         const auto within = crossings(scene.body, {at + along * kStep, along});
@@ -172,9 +176,10 @@ Rgb light_along(const PlainScene& scene, const Ray& ray) {
         const Crossing& out = (*within)[1];
         at += along * out.t;
         if (const auto away = refracted(along, -out.normal, kIndex)) {
-            const double r = reflectance(dot(along, out.normal), dot(*away, out.normal), kIndex, 1.0);
-            light = light + weight * (1.0 - r) *
-                                lamp_light(scene, {at, *away}, kFar).value_or(Rgb{});
+            const double r =
+                reflectance(dot(along, out.normal), dot(*away, out.normal), kIndex, 1.0);
+            light =
+                light + weight * (1.0 - r) * lamp_light(scene, {at, *away}, kFar).value_or(Rgb{});
             weight *= r;
         }
         along = mirrored(along, out.normal);
@@ -190,16 +195,17 @@ Picture exact_picture(const PlainScene& scene) {
         for (int x = 0; x < picture.width; ++x) {
             Rgb sum;
             for (int k = 0; k < kGrid * kGrid; ++k)
-                sum = sum + light_along(
-                    scene, {scene.camera.eye,
-                            normalised(scene.camera.direction(x + (k % kGrid + 0.5) / kGrid,
-                                                              y + (k / kGrid + 0.5) / kGrid))});
+                sum = sum +
+                      light_along(scene, {scene.camera.eye, normalised(scene.camera.direction(
+                                                                x + (k % kGrid + 0.5) / kGrid,
+                                                                y + (k / kGrid + 0.5) / kGrid))});
             picture.pixels.push_back(sum * (1.0 / (kGrid * kGrid)));
         }
     return picture;
 }
 
-// ---- running and comparing -----------------------------------------------------------------------
+// ---- running and comparing
+// -----------------------------------------------------------------------
 
 /// Of the light in one ninth of a picture.
 struct Moments {
@@ -229,9 +235,10 @@ using Finder = std::unique_ptr<Contestant> (*)(const Programs&);
 struct Language {
     const char* name;
     Finder find;
-    int samples;                 ///< a pixel
-    double mean_tolerance;       ///< of the light in a ninth of the picture: some 4 standard errors
-    double centroid_tolerance_px;  ///< where one lamp is seen: an index wrong by 0.01 moves it by 0.25
+    int samples;            ///< a pixel
+    double mean_tolerance;  ///< of the light in a ninth of the picture: some 4 standard errors
+    double
+        centroid_tolerance_px;  ///< where one lamp is seen: an index wrong by 0.01 moves it by 0.25
 };
 void PrintTo(const Language& language, std::ostream* out) { *out << language.name; }
 
@@ -288,12 +295,14 @@ TEST_P(LanguagesTest, DispersiveGlassInWhiteSurroundingsIsWhite) {
     scene.body.index = make_dispersion(
         {"sellmeier",
          {1.73759695, 0.013188707, 0.313747346, 0.0623068142, 1.89878101, 155.23629}});  // SF11
-    const Picture picture = render(scene, {.spectral_samples = 7, .samples_per_pixel = GetParam().samples / 4});
+    const Picture picture =
+        render(scene, {.spectral_samples = 7, .samples_per_pixel = GetParam().samples / 4});
     for (const std::size_t channel : {0, 1, 2})
         EXPECT_NEAR(moments(picture, 1, 1).mean[channel], 1.0, GetParam().mean_tolerance);
 }
 
-// ---- what is written, whether the programs are here or not ----------------------------------------
+// ---- what is written, whether the programs are here or not
+// ----------------------------------------
 
 /// The text after `key` in `text`, up to the next of " }\"".
 std::string after(const std::string& text, const std::string& key) {
@@ -325,8 +334,8 @@ TEST(Languages, PovRayWithoutSplittingHasOneIndex) {
     EXPECT_EQ(pov_scene({scene, {.spectral_samples = 0}}).find("dispersion"), std::string::npos);
 }
 
-/// Blender's glasses have indices at the dominant wavelengths of sRGB's primaries: where the line from white
-/// through a primary meets the spectral locus.
+/// Blender's glasses have indices at the dominant wavelengths of sRGB's primaries: where the line
+/// from white through a primary meets the spectral locus.
 TEST(Languages, BlendersWavelengthsAreThoseOfThePrimaries) {
     const auto xy = [](Colour<Xyz> c) {
         const double sum = c[0] + c[1] + c[2];

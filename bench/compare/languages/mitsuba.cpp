@@ -7,8 +7,8 @@
 #include "common.h"
 #include "dewbow/base/file.h"
 
-// Mitsuba 3: its glass has one index, whatever the variant, so that its limit is the picture without colours. It
-// takes part as what a renderer costs that does not do the work.
+// Mitsuba 3: its glass has one index, whatever the variant, so that its limit is the picture
+// without colours. It takes part as what a renderer costs that does not do the work.
 
 namespace dewbow::bench {
 namespace {
@@ -23,7 +23,8 @@ std::string matrix(Vec3 x, Vec3 y, Vec3 z, Vec3 origin) {
     std::string rows;
     for (const int axis : {0, 1, 2})
         rows += fmt::format("{} {} {} {} ", x[axis], y[axis], z[axis], origin[axis]);
-    return fmt::format("<transform name=\"to_world\"><matrix value=\"{}0 0 0 1\"/></transform>", rows);
+    return fmt::format("<transform name=\"to_world\"><matrix value=\"{}0 0 0 1\"/></transform>",
+                       rows);
 }
 
 /// A shape that glows towards `normal`.
@@ -39,7 +40,8 @@ std::string lamp_text(const PlainLamp& lamp, Vec3 half_u, Vec3 normal) {
 class Mitsuba : public Contestant {
 public:
     explicit Mitsuba(std::filesystem::path program)
-        : program_(std::move(program)), version_(version_line(program_, "--help", "Mitsuba version")) {}
+        : program_(std::move(program)),
+          version_(version_line(program_, "--help", "Mitsuba version")) {}
     std::string name() const override { return "mitsuba-colourless"; }
     std::string version() const override { return version_; }
     bool splits_spectrum() const override { return false; }
@@ -48,8 +50,9 @@ public:
     std::vector<std::string> write(const Order& order) const override {
         write_file_atomically(order.folder / "scene.xml", mitsuba_scene(scene_order(order)));
         write_file_atomically(order.folder / kBodyFile, mitsuba_body(order.scene.plain.body));
-        return {program_.string(), "-m", "scalar_rgb", "-t", std::to_string(order.threads), "-o",
-                kPictureFile, "scene.xml"};
+        return {
+            program_.string(), "-m",       "scalar_rgb", "-t", std::to_string(order.threads), "-o",
+            kPictureFile,      "scene.xml"};
     }
     Picture read(const Order& order) const override { return read_left_picture(order); }
 
@@ -67,34 +70,39 @@ std::string mitsuba_scene(const SceneOrder& order) {
         "<scene version=\"3.0.0\">\n"
         "  <integrator type=\"path\"><integer name=\"max_depth\" value=\"{}\"/></integrator>\n"
         "  <sensor type=\"perspective\"><string name=\"fov_axis\" value=\"y\"/>\n"
-        "    <float name=\"fov\" value=\"{}\"/><float name=\"near_clip\" value=\"0.0001\"/>\n    {}\n"
+        "    <float name=\"fov\" value=\"{}\"/><float name=\"near_clip\" value=\"0.0001\"/>\n    "
+        "{}\n"
         "    <film type=\"hdrfilm\"><integer name=\"width\" value=\"{}\"/>"
         "<integer name=\"height\" value=\"{}\"/>\n"
         "      <string name=\"pixel_format\" value=\"rgb\"/>"
         "<string name=\"component_format\" value=\"float32\"/><rfilter type=\"box\"/></film>\n"
         "    <sampler type=\"independent\"><integer name=\"sample_count\" value=\"{}\"/>"
         "<integer name=\"seed\" value=\"{}\"/></sampler></sensor>\n",
-        order.max_depth + 1, 2.0 * std::atan(camera.tan_half_vertical_fov) * 180.0 / std::numbers::pi,
+        order.max_depth + 1,
+        2.0 * std::atan(camera.tan_half_vertical_fov) * 180.0 / std::numbers::pi,
         matrix(-camera.right, camera.up, camera.forward, camera.eye), camera.width, camera.height,
         order.knobs.samples_per_pixel, order.knobs.seed & 0x7fffffffu);
     if (order.scene.surroundings)
-        text += fmt::format("  <emitter type=\"constant\"><rgb name=\"radiance\" value=\"{}\"/></emitter>\n",
-                            joined(order.scene.surroundings_colour));
+        text += fmt::format(
+            "  <emitter type=\"constant\"><rgb name=\"radiance\" value=\"{}\"/></emitter>\n",
+            joined(order.scene.surroundings_colour));
     for (const PlainLamp& lamp : order.scene.lamps) {
         text += lamp_text(lamp, lamp.half_u, lamp.normal);
         if (lamp.two_sided) text += lamp_text(lamp, -lamp.half_u, -lamp.normal);
     }
-    return text + fmt::format("  <shape type=\"obj\"><string name=\"filename\" value=\"{}\"/>"
-                              "<boolean name=\"face_normals\" value=\"true\"/>\n"
-                              "    <bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"{}\"/>"
-                              "<float name=\"ext_ior\" value=\"1\"/></bsdf></shape>\n</scene>\n",
-                              kBodyFile, relative_index(order.scene, kNominal));
+    return text + fmt::format(
+                      "  <shape type=\"obj\"><string name=\"filename\" value=\"{}\"/>"
+                      "<boolean name=\"face_normals\" value=\"true\"/>\n"
+                      "    <bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"{}\"/>"
+                      "<float name=\"ext_ior\" value=\"1\"/></bsdf></shape>\n</scene>\n",
+                      kBodyFile, relative_index(order.scene, kNominal));
 }
 
 std::string mitsuba_body(const PlainBody& body) {
     std::string text;
     for (const Vec3& p : body.vertices) text += "v " + joined(p, " ") + "\n";
-    for (const auto& t : body.triangles) text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    for (const auto& t : body.triangles)
+        text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
     return text;
 }
 

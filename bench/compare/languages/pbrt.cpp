@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "common.h"
-#include "dewbow/spectrum/rgb.h"
 #include "dewbow/base/file.h"
+#include "dewbow/spectrum/rgb.h"
 
-// pbrt-v4: spectral, with the index as a table. A path that meets dispersive glass keeps one of its four
-// wavelengths.
+// pbrt-v4: spectral, with the index as a table. A path that meets dispersive glass keeps one of its
+// four wavelengths.
 
 namespace dewbow::bench {
 namespace {
@@ -37,7 +37,8 @@ std::string camera_text(const PlainCamera& camera) {
     // Columns of the map from the world to the camera, which looks along +z with x to the right.
     std::string columns;
     for (const int axis : {0, 1, 2})
-        columns += fmt::format("{} {} {} 0\n", camera.right[axis], camera.up[axis], camera.forward[axis]);
+        columns +=
+            fmt::format("{} {} {} 0\n", camera.right[axis], camera.up[axis], camera.forward[axis]);
     const Vec3 e = -camera.eye;
     const double aspect = double(camera.width) / camera.height;
     return fmt::format(
@@ -65,7 +66,8 @@ std::string lamp_text(const PlainLamp& lamp) {
 std::string body_text(const PlainScene& scene) {
     std::string points, indices;
     for (const Vec3& p : scene.body.vertices) points += joined(p, " ") + "\n";
-    for (const auto& t : scene.body.triangles) indices += fmt::format("{} {} {}\n", t[0], t[1], t[2]);
+    for (const auto& t : scene.body.triangles)
+        indices += fmt::format("{} {} {}\n", t[0], t[1], t[2]);
     return fmt::format(
         "Material \"dielectric\" \"spectrum eta\" {}\n"
         "Shape \"trianglemesh\" \"point3 P\" [\n{}]\n\"integer indices\" [\n{}]\n",
@@ -75,7 +77,8 @@ std::string body_text(const PlainScene& scene) {
 class Pbrt : public Contestant {
 public:
     explicit Pbrt(std::filesystem::path program)
-        : program_(std::move(program)), version_(version_line(program_, "/dev/null", "pbrt version")) {}
+        : program_(std::move(program)),
+          version_(version_line(program_, "/dev/null", "pbrt version")) {}
     std::string name() const override { return "pbrt-path"; }
     std::string version() const override { return version_; }
     bool splits_spectrum() const override { return false; }
@@ -86,7 +89,8 @@ public:
 
     std::vector<std::string> write(const Order& order) const override {
         write_file_atomically(order.folder / "scene.pbrt", pbrt_scene(scene_order(order)));
-        return {program_.string(), "--quiet", "--nthreads", std::to_string(order.threads), "scene.pbrt"};
+        return {program_.string(), "--quiet", "--nthreads", std::to_string(order.threads),
+                "scene.pbrt"};
     }
     Picture read(const Order& order) const override { return read_left_picture(order); }
 

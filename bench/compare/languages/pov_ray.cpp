@@ -7,9 +7,9 @@
 #include "common.h"
 #include "dewbow/base/file.h"
 
-// POV-Ray 3.7. Its dispersion: n(λ) = n₀ D^(−(λ − 555 nm)/350 nm), a ray split at the first refraction into N
-// rays at the middles of N equal bands over 380–730 nm, coloured by a table of hues and never jittered; Fresnel
-// reflection at n₀.
+// POV-Ray 3.7. Its dispersion: n(λ) = n₀ D^(−(λ − 555 nm)/350 nm), a ray split at the first
+// refraction into N rays at the middles of N equal bands over 380–730 nm, coloured by a table of
+// hues and never jittered; Fresnel reflection at n₀.
 
 namespace dewbow::bench {
 namespace {
@@ -20,8 +20,8 @@ constexpr Wavelength kFirst = 380.0 * unit::nm, kLast = 730.0 * unit::nm;
 /// POV-Ray's own greatest max_trace_level.
 constexpr int kMostDepth = 256;
 
-/// Rays that would add less than this share are not followed. Seen on the diamond: 1e-4 adds 5e-4 of the light,
-/// POV-Ray's default of 1/255 loses 2e-3 and saves a seventh of the time.
+/// Rays that would add less than this share are not followed. Seen on the diamond: 1e-4 adds 5e-4
+/// of the light, POV-Ray's default of 1/255 loses 2e-3 and saves a seventh of the time.
 constexpr double kBailout = 1e-3;
 
 std::string camera_text(const PlainCamera& camera) {
@@ -59,8 +59,9 @@ std::string body_text(const SceneOrder& order) {
         text += " }\n";
     }
     const auto n = [&](Wavelength lambda) { return relative_index(order.scene, lambda); };
-    text += "  texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on }"
-            " conserve_energy } }\n";
+    text +=
+        "  texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on }"
+        " conserve_energy } }\n";
     text += fmt::format("  interior {{ ior {}", n(kNominal));
     if (order.knobs.spectral_samples > 1)
         text += fmt::format(" dispersion {} dispersion_samples {}", n(kFirst) / n(kLast),
@@ -78,17 +79,26 @@ public:
     std::string version() const override { return version_; }
     bool splits_spectrum() const override { return true; }
     bool converges_to_truth() const override { return false; }
-    int possible_samples_per_pixel(int wanted) const override { return side(wanted) * side(wanted); }
+    int possible_samples_per_pixel(int wanted) const override {
+        return side(wanted) * side(wanted);
+    }
 
     std::vector<std::string> write(const Order& order) const override {
         write_file_atomically(order.folder / "scene.pov", pov_scene(scene_order(order)));
         const PlainCamera& camera = order.scene.plain.camera;
-        std::vector<std::string> words = {program_.string(), "+Iscene.pov", std::string("+O") + kPictureFile,
-                                          "+FE", fmt::format("+W{}", camera.width),
+        std::vector<std::string> words = {program_.string(),
+                                          "+Iscene.pov",
+                                          std::string("+O") + kPictureFile,
+                                          "+FE",
+                                          fmt::format("+W{}", camera.width),
                                           fmt::format("+H{}", camera.height),
-                                          fmt::format("+WT{}", order.threads), "-D", "-V", "-GA",
+                                          fmt::format("+WT{}", order.threads),
+                                          "-D",
+                                          "-V",
+                                          "-GA",
                                           "File_Gamma=1.0"};
-        // Threshold 0: every pixel is taken apart, whatever its neighbours are; n² rays after a first one.
+        // Threshold 0: every pixel is taken apart, whatever its neighbours are; n² rays after a
+        // first one.
         const int n = side(order.knobs.samples_per_pixel);
         if (n == 1) {
             words.emplace_back("-A");
