@@ -19,6 +19,7 @@
 #include "glass_command.h"
 #include "merge_command.h"
 #include "rainbow_command.h"
+#include "spectrum_command.h"
 
 namespace dewbow {
 
@@ -78,7 +79,7 @@ struct ShowText {
 };
 
 using Command = std::variant<ShowText, RenderCommand, SceneCheckCommand, GlassCommand,
-                             RainbowCommand, MergeCommand>;
+                             RainbowCommand, SpectrumCommand, MergeCommand>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

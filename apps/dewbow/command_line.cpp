@@ -11,6 +11,7 @@
 #include "glass_command_line.h"
 #include "option_value.h"
 #include "rainbow_command_line.h"
+#include "spectrum_command_line.h"
 
 // All values arrive here as text: what a number must be is said by option_value.h in our words, and
 // read without locale.
@@ -28,6 +29,7 @@ constexpr std::string_view kExamples = R"(Examples:
   dewbow render ring.glb -o ring.png --time 2m        as good as two minutes make it
   dewbow glass show N-SF11                            the index of a glass
   dewbow rainbow --radius 0.3mm -o curve.csv          what a drop does to light
+  dewbow spectrum -o curves.svg                       how samples of white are coloured
 `dewbow SUBCOMMAND --help` tells more.)";
 
 constexpr std::string_view kRenderExamples = R"(Examples:
@@ -117,6 +119,7 @@ public:
         add_scene();
         glass_.emplace(app_);
         rainbow_.emplace(app_);
+        spectrum_.emplace(app_);
         merge_.emplace(app_);
     }
 
@@ -144,6 +147,7 @@ public:
         if (scene_check_->parsed()) return scene_check_command();
         if (const auto command = glass_->command()) return *command;
         if (const auto command = rainbow_->command()) return *command;
+        if (const auto command = spectrum_->command()) return *command;
         if (const auto command = merge_->command()) return *command;
         throw UsageError("a subcommand is missing", help_hint());
     }
@@ -457,6 +461,7 @@ private:
     CLI::Option* resume_ = nullptr;
     std::optional<GlassCommandLine> glass_;
     std::optional<RainbowCommandLine> rainbow_;
+    std::optional<SpectrumCommandLine> spectrum_;
     std::optional<MergeCommandLine> merge_;
     RenderTexts render_texts_;
     SceneTexts scene_check_texts_;

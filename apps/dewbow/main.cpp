@@ -19,6 +19,7 @@ struct Run {
         return std::visit([](const auto& subcommand) { return run(subcommand); }, command);
     }
     int operator()(const RainbowCommand& command) const { return run(command); }
+    int operator()(const SpectrumCommand& command) const { return run(command); }
     int operator()(const MergeCommand& command) const { return run(command); }
 };
 

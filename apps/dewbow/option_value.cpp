@@ -146,6 +146,22 @@ std::string parse_file_name(std::string_view option, std::string_view text,
     refuse_value(option, text, "a file name that ends in " + endings);
 }
 
+PlotRequest parse_plot(std::string_view option, std::string_view text,
+                       std::span<const PlotKind> kinds) {
+    const auto parts = split(text, '=');
+    if (!parts || parts->first.empty() || parts->second.empty())
+        throw UsageError(fmt::format("{} is \"{}\"; it must be KIND=FILE", option, text),
+                         fmt::format("for instance {} {}=curve.svg", option, kinds.front().name));
+    std::vector<std::string> names;
+    for (const PlotKind& kind : kinds) {
+        if (kind.name == parts->first)
+            return {kind.name, parse_file_name(option, parts->second, kind.endings)};
+        names.push_back(kind.name);
+    }
+    throw UsageError(fmt::format("{} is \"{}\": unknown plot \"{}\"", option, text, parts->first),
+                     hint_for(parts->first, names));
+}
+
 std::size_t parse_word(std::string_view option, std::string_view text,
                        std::span<const std::string> words) {
     for (std::size_t i = 0; i < words.size(); ++i)

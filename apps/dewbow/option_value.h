@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "command.h"
+#include "plot_request.h"
 
 namespace dewbow {
 
@@ -49,6 +50,10 @@ std::string parse_file_name(std::string_view option, std::string_view text,
 
 /// "MATERIAL=GLASS", divided at the last "=".
 GlassOverride parse_glass_override(std::string_view option, std::string_view text);
+
+/// "KIND=FILE", one of `kinds` and a file of its endings.
+PlotRequest parse_plot(std::string_view option, std::string_view text,
+                       std::span<const PlotKind> kinds);
 
 /// The index of `text` in `words`.
 std::size_t parse_word(std::string_view option, std::string_view text,

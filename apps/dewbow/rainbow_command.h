@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "dewbow/import/toml/storm.h"
+#include "plot_request.h"
 
 namespace dewbow {
-
-/// `--plot KIND=FILE`.
-struct RainbowPlotRequest {
-    std::string kind;
-    std::string file;
-};
 
 struct RainbowCommand {
     std::string storm_file;  ///< or empty
@@ -23,7 +18,7 @@ struct RainbowCommand {
     std::optional<double> size_parameter;
     bool amplitudes = false;
     std::vector<std::string> outputs;
-    std::vector<RainbowPlotRequest> plots;
+    std::vector<PlotRequest> plots;
     int threads = 0;  ///< 0 = all
     bool cache = true;
     bool quiet = false, json = false, self_test = false;

@@ -63,6 +63,12 @@ std::string models_described() {
     return text;
 }
 
+std::vector<PlotKind> plot_kinds() {
+    std::vector<PlotKind> kinds;
+    for (const RainbowPlotRow& row : rainbow_plots()) kinds.push_back({row.kind, row.endings});
+    return kinds;
+}
+
 std::string plots_described() {
     std::string text;
     for (const RainbowPlotRow& row : rainbow_plots())
@@ -313,7 +319,8 @@ std::optional<RainbowCommand> RainbowCommandLine::command() const {
     read_sphere(command);
     for (const std::string& output : outputs_)
         command.outputs.push_back(parse_file_name("--output", output, rainbow_output_endings()));
-    for (const std::string& plot : plots_) command.plots.push_back(parse_plot("--plot", plot));
+    for (const std::string& plot : plots_)
+        command.plots.push_back(parse_plot("--plot", plot, plot_kinds()));
     if (threads_)
         command.threads = static_cast<int>(parse_integer("--threads", *threads_, 1, kMaxThreads));
     command.amplitudes = amplitudes_;

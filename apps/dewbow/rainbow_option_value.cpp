@@ -9,7 +9,6 @@
 #include "dewbow/base/error.h"
 #include "dewbow/base/parse_number.h"
 #include "option_value.h"
-#include "rainbow_plots.h"
 
 namespace dewbow {
 namespace {
@@ -140,22 +139,6 @@ ComplexIndex parse_drop_index(std::string_view option, std::string_view text) {
                              "n above {} and at most {}, k {} to {}",
                              kDropIndices.low, kDropIndices.high, kDropExtinctions.low,
                              kDropExtinctions.high));
-}
-
-RainbowPlotRequest parse_plot(std::string_view option, std::string_view text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size())
-        throw UsageError(fmt::format("{} is \"{}\"; it must be KIND=FILE", option, text),
-                         "for instance --plot intensity=curve.svg");
-    const std::string kind(text.substr(0, equals));
-    std::vector<std::string> kinds;
-    for (const RainbowPlotRow& row : rainbow_plots()) {
-        if (row.kind == kind)
-            return {kind, parse_file_name(option, text.substr(equals + 1), row.endings)};
-        kinds.push_back(row.kind);
-    }
-    throw UsageError(fmt::format("{} is \"{}\": unknown plot \"{}\"", option, text, kind),
-                     hint_for(kind, kinds));
 }
 
 }  // namespace dewbow

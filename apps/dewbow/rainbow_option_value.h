@@ -10,7 +10,6 @@
 #include "dewbow/base/quantity.h"
 #include "dewbow/import/range.h"
 #include "dewbow/rainbow/scattering.h"
-#include "rainbow_command.h"
 
 namespace dewbow {
 
@@ -29,7 +28,5 @@ std::vector<std::string> parse_words(std::string_view option,
 Orders parse_orders(std::string_view option, const std::vector<std::string>& texts);
 /// "1.333" or "1.33+1e-8i".
 ComplexIndex parse_drop_index(std::string_view option, std::string_view text);
-/// "KIND=FILE"
-RainbowPlotRequest parse_plot(std::string_view option, std::string_view text);
 
 }  // namespace dewbow

@@ -21,7 +21,7 @@ namespace {
 
 void check_all_writable(const RainbowCommand& command) {
     for (const std::string& file : command.outputs) check_writable(file);
-    for (const RainbowPlotRequest& plot : command.plots) check_writable(plot.file);
+    for (const PlotRequest& plot : command.plots) check_writable(plot.file);
 }
 
 /// The files, in the order in which they are asked for.
@@ -34,7 +34,7 @@ std::vector<std::string> write_all(const RainbowCommand& command, RainbowTables&
     };
     for (const std::string& file : command.outputs)
         write(file, command.options.paper ? paper_csv() : rainbow_output(file, tables));
-    for (const RainbowPlotRequest& plot : command.plots)
+    for (const PlotRequest& plot : command.plots)
         write(plot.file, rainbow_plot(plot.kind, plot.file, tables));
     return written;
 }

@@ -34,6 +34,8 @@ std::vector<Writer> writers() {
     for (const char* file : {"bow.csv", "bow.json", "bow.exr", "bow.png", "bow.svg"})
         all.push_back({file, bow + Words{file}});
     all.push_back({"glass.svg", {"glass", "show", "N-BK7", "--plot", "glass.svg"}});
+    for (const char* file : {"curves.csv", "curves.json", "curves.svg", "strip.png"})
+        all.push_back({file, {"spectrum", "-o", file}});
     return all;
 }
 

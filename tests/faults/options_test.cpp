@@ -175,6 +175,23 @@ const std::vector<Option> kRainbowOptions{
     {"--threads", {}, {"-1", "0", "0.5", "1025"}, "1 to 1024"},
 };
 
+const std::vector<Option> kSpectrumOptions{
+    {"--colours", {}, {"0", "Linear", "rgb", "linear,cie"}, "--colours is"},
+    {"--monitor", {}, {"0", "sRGB", "rodgers", "crt"}, "--monitor is"},
+    {"--negative", {"--colours", "empirical"}, {"0", "clip", "Clamp"}, "--negative is"},
+    {"--spacing", {}, {"0", "even", "f"}, "--spacing is"},
+    {"--samples", {}, {"-1", "0", "0.5", "1001", "2147483648", "9223372036854775808"}, "1 to 1000"},
+    {"--jitter", {}, {"0", "Both", "index,colour"}, "--jitter is"},
+    {"--sets", {}, {"-1", "0", "0.5", "1000001", "2147483648"}, "1 to 1000000"},
+    {"--seed", {}, {"-1", "0.5", "1e3", "18446744073709551616"}, "0 to 18446744073709551615"},
+    {"--gamma", {}, {"0", "-2.2", "0.09", "10.1", "5e-324"}, "0.1 to 10"},
+    {"--output", {}, {"0", "csv", "a.exr", "a.exr/", "/", ".", ".."}, "ends in .csv"},
+    {"--plot",
+     {},
+     {"=", "curves", "curves=", "=a.svg", "curves=a.png", "curvs=a.svg", "white=a.json"},
+     "--plot is"},
+};
+
 /// Names of the options that take a value: in lines such as "  -o,--output FILE   A picture".
 std::set<std::string> options_of_help(const std::vector<std::string>& subcommand) {
     const Folder folder;
@@ -238,6 +255,7 @@ TEST(Options, AllAreInTheTable) {
     EXPECT_EQ(options_of_help({"glass", "show"}), names_of(kGlassOptions));
     EXPECT_EQ(options_of_help({"glass", "paper"}), names_of(kGlassPaperOptions));
     EXPECT_EQ(options_of_help({"rainbow"}), names_of(kRainbowOptions));
+    EXPECT_EQ(options_of_help({"spectrum"}), names_of(kSpectrumOptions));
     for (const std::string& name : options_of_help({"scene", "check"}))
         EXPECT_TRUE(names_of(kRenderOptions).contains(name)) << name;
 }
@@ -251,6 +269,22 @@ TEST(Options, OfPapersIndexRefuseAbsurdValues) {
 }
 
 TEST(Options, OfRainbowRefuseAbsurdValues) { refuse_all({"rainbow"}, kRainbowOptions); }
+
+TEST(Options, OfSpectrumRefuseAbsurdValues) { refuse_all({"spectrum"}, kSpectrumOptions); }
+
+TEST(Options, OfSpectrumThatContradictEachOther) {
+    const Folder folder;
+    const auto before = folder.snapshot();
+    const auto check = [&](const std::vector<std::string>& arguments, const std::string& phrase) {
+        const Outcome outcome = run_program(DEWBOW_BINARY, arguments, folder.path());
+        EXPECT_EQ(faults_of_answer(outcome, kWrongUse, {phrase}), "");
+    };
+    check({"spectrum", "--negative", "keep", "-o", "a.csv"},
+          "--negative is of --colours empirical");
+    check({"spectrum", "--correlated", "-o", "a.csv"}, "--jitter is missing");
+    check({"spectrum", "--samples", "1", "-o", "a.csv"}, "--samples: spectral samples of fixed");
+    EXPECT_EQ(folder.snapshot(), before);
+}
 
 /// The least and the most that an option takes is taken: the limits that messages state are true.
 TEST(Options, LimitsAreTaken) {

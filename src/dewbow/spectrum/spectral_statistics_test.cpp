@@ -308,6 +308,15 @@ TEST(SpectralStatistics, OtherCurvesAreWhiteOnlyOnAverage) {
                  {0.959, 0.994, 0.989}, {1.027, 1.007, 1.009}, kThreeDigits);
 }
 
+TEST(SpectralStatistics, TailoredSamplesAreLessWhiteAtACommonOffset) {
+    SpectralSampling tailored = kCorrelated;
+    tailored.tailored = true;
+    expect_range(range_over_offsets({}, tailored), {0.943, 0.994, 0.940}, {1.070, 1.013, 1.062},
+                 kThreeDigits);
+    expect_range(range_over_offsets({.colours = SpectralColours::cie}, tailored),
+                 {0.871, 0.990, 0.872}, {1.125, 1.019, 1.128}, kThreeDigits);
+}
+
 TEST(SpectralStatistics, UniformLanesUnderEqualEnergyAreWhiteOnlyOnAverage) {
     const auto range_of = [](int lanes) {
         const auto white = rgb_from_xyz<LinearSrgb>(xyz_from_spectrum(*make_constant(1.0)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// docs/rainbow.md tells the truth: every command in it does what it says, and every option that
-// `dewbow rainbow --help` lists is in it.
+// docs/rainbow.md and docs/spectrum.md tell the truth: every command in them does what it says, and
+// every option that `dewbow rainbow --help` or `dewbow spectrum --help` lists is in its manual.
 
 #include <gtest/gtest.h>
 
@@ -15,19 +15,21 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string manual() { return read_file(std::string(DEWBOW_SOURCE_DIR) + "/docs/rainbow.md"); }
+std::string manual_of(const std::string& subcommand) {
+    return read_file(std::string(DEWBOW_SOURCE_DIR) + "/docs/" + subcommand + ".md");
+}
 
 /// The commands of the manual, in words, without what stands behind a #.
-std::vector<Words> commands() {
+std::vector<Words> commands_of(const std::string& subcommand) {
     std::vector<Words> all;
-    std::istringstream lines(manual());
+    std::istringstream lines(manual_of(subcommand));
     for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("    dewbow rainbow")) continue;
+        if (!line.starts_with("    dewbow " + subcommand)) continue;
         std::istringstream text(line.substr(0, line.find(" #")));
         Words words;
         for (std::string word; text >> word;) words.push_back(word);
         words.erase(words.begin());
-        words.push_back("--no-cache");
+        if (subcommand == "rainbow") words.push_back("--no-cache");
         all.push_back(words);
     }
     return all;
@@ -49,11 +51,11 @@ bool takes_seconds(const Words& words) {
     return false;
 }
 
-TEST(RainbowManual, CommandsDoWhatTheySay) {
+void check_commands(const std::string& subcommand, std::size_t fewest) {
     const std::string storm =
         read_file(std::string(DEWBOW_SOURCE_DIR) + "/examples/rainbow/storm.toml");
-    const std::vector<Words> all = commands();
-    EXPECT_GE(all.size(), 12u);
+    const std::vector<Words> all = commands_of(subcommand);
+    EXPECT_GE(all.size(), fewest);
     for (const Words& words : all) {
         if (takes_seconds(words)) continue;
         const Folder folder;
@@ -68,11 +70,11 @@ TEST(RainbowManual, CommandsDoWhatTheySay) {
     }
 }
 
-TEST(RainbowManual, HasEveryOption) {
+void check_options(const std::string& subcommand, std::size_t fewest) {
     const Folder folder;
     const std::string help =
-        run_program(DEWBOW_BINARY, {"rainbow", "--help"}, folder.path()).standard_output;
-    const std::string text = manual();
+        run_program(DEWBOW_BINARY, {subcommand, "--help"}, folder.path()).standard_output;
+    const std::string text = manual_of(subcommand);
     std::size_t options = 0;
     std::istringstream lines(help);
     for (std::string line; std::getline(lines, line);) {
@@ -83,8 +85,14 @@ TEST(RainbowManual, HasEveryOption) {
         EXPECT_TRUE(everywhere || text.find("`" + option) != std::string::npos) << option;
         ++options;
     }
-    EXPECT_GE(options, 25u);
+    EXPECT_GE(options, fewest);
 }
+
+TEST(RainbowManual, CommandsDoWhatTheySay) { check_commands("rainbow", 12); }
+TEST(RainbowManual, HasEveryOption) { check_options("rainbow", 25); }
+
+TEST(SpectrumManual, CommandsDoWhatTheySay) { check_commands("spectrum", 6); }
+TEST(SpectrumManual, HasEveryOption) { check_options("spectrum", 14); }
 
 }  // namespace
 }  // namespace dewbow::faults
