@@ -48,30 +48,47 @@ nlohmann::ordered_json json_number(double value) {
     return fmt::format("{}", value);
 }
 
-void print_sample(const RenderCommand& command, const Scene& scene, const PixelSample& sample) {
-    const WavelengthPacket& packet = sample.wavelengths;
-    if (command.json) {
-        nlohmann::ordered_json lanes = nlohmann::ordered_json::array();
-        for (int k = 0; k < packet.count; ++k)
-            lanes.push_back({{"lambda_nm", json_number(packet.lambda_nm[k])},
-                             {"pdf_per_nm", json_number(packet.pdf_per_nm[k])},
-                             {"radiance_W_per_m2_sr_nm", json_number(sample.radiance[k])}});
-        const nlohmann::ordered_json object{{"pixel", {command.replay->x, command.replay->y}},
-                                            {"sample", command.replay->sample},
-                                            {"seed", scene.render.seed},
-                                            {"depth_m", json_number(sample.depth)},
-                                            {"lanes", lanes}};
-        print_data(object.dump() + "\n");
-        return;
+nlohmann::ordered_json sample_as_json(const PixelSample& sample) {
+    if (sample.colour) {
+        nlohmann::ordered_json xyz = nlohmann::ordered_json::array();
+        for (const double value : sample.colour->v) xyz.push_back(json_number(value));
+        return {{"xyz", xyz}};
     }
-    std::string text = fmt::format("pixel {},{} sample {} seed {}\n", command.replay->x,
-                                   command.replay->y, command.replay->sample, scene.render.seed);
-    text += fmt::format("depth {} m\n", sample.hit ? fmt::format("{:.9g}", sample.depth) : "-");
-    text += "lambda_nm        radiance_W_per_m2_sr_nm  pdf_per_nm\n";
+    const WavelengthPacket& packet = sample.wavelengths;
+    nlohmann::ordered_json lanes = nlohmann::ordered_json::array();
+    for (int k = 0; k < packet.count; ++k)
+        lanes.push_back({{"lambda_nm", json_number(packet.lambda_nm[k])},
+                         {"pdf_per_nm", json_number(packet.pdf_per_nm[k])},
+                         {"radiance_W_per_m2_sr_nm", json_number(sample.radiance[k])}});
+    return {{"lanes", lanes}};
+}
+
+std::string sample_as_text(const PixelSample& sample) {
+    if (sample.colour)
+        return fmt::format("XYZ {:.17g} {:.17g} {:.17g}\n", (*sample.colour)[0],
+                           (*sample.colour)[1], (*sample.colour)[2]);
+    const WavelengthPacket& packet = sample.wavelengths;
+    std::string text = "lambda_nm        radiance_W_per_m2_sr_nm  pdf_per_nm\n";
     for (int k = 0; k < packet.count; ++k)
         text += fmt::format("{:<16.9f} {:<24.17g} {:.9g}\n", packet.lambda_nm[k],
                             sample.radiance[k], packet.pdf_per_nm[k]);
-    print_data(text);
+    return text;
+}
+
+void print_sample(const RenderCommand& command, const Scene& scene, const PixelSample& sample) {
+    if (command.json) {
+        nlohmann::ordered_json object{{"pixel", {command.replay->x, command.replay->y}},
+                                      {"sample", command.replay->sample},
+                                      {"seed", scene.render.seed},
+                                      {"depth_m", json_number(sample.depth)}};
+        object.update(sample_as_json(sample));
+        print_data(object.dump() + "\n");
+        return;
+    }
+    const std::string depth = sample.hit ? fmt::format("{:.9g}", sample.depth) : "-";
+    print_data(fmt::format("pixel {},{} sample {} seed {}\ndepth {} m\n", command.replay->x,
+                           command.replay->y, command.replay->sample, scene.render.seed, depth) +
+               sample_as_text(sample));
 }
 
 int replay(const RenderCommand& command, const Scene& scene) {

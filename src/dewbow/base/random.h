@@ -27,6 +27,7 @@ enum class Purpose : std::uint32_t {
     roulette,
     test,
     impact_parameter,  ///< of a ray on a drop
+    spectral_offset,   ///< of a sample of the spectrum within its interval
 };
 
 /// A bijection of 64 bits in which every output bit depends on every input bit.

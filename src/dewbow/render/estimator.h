@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dewbow/base/check.h"
 #include "dewbow/render/film.h"
 #include "dewbow/scene/scene.h"
 
@@ -18,6 +19,23 @@ struct Unit {
     PixelRect tile;
     std::int64_t first_sample = 0, end_sample = 0;
 };
+
+/// Calls `render_sample(x, y, index)` for each sample of `unit`; a check that fails meanwhile names
+/// the sample.
+template <class RenderSample>
+void for_each_sample(const Unit& unit, std::uint64_t seed, RenderSample&& render_sample) {
+    ReplayContext& replay = replay_context();
+    replay.seed = seed;
+    for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
+        for (int x = unit.tile.x0; x < unit.tile.x1; ++x) {
+            for (std::int64_t i = unit.first_sample; i < unit.end_sample; ++i) {
+                replay.pixel_x = x, replay.pixel_y = y, replay.sample = i;
+                render_sample(x, y, i);
+            }
+        }
+    }
+    replay = {};
+}
 
 class Estimator {
 public:

@@ -59,6 +59,23 @@ bool comes_before(const InvalidSample& a, const InvalidSample& b) {
     return std::tie(a.y, a.x, a.index) < std::tie(b.y, b.x, b.index);
 }
 
+bool lanes_are_amounts(const PixelSample& sample) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    const int lanes = sample.wavelengths.count;
+    DEWBOW_CHECK(lanes >= 1 && lanes <= kMaxLanes, "a packet has 1 to 16 lanes");
+    bool amounts = true;
+    for (int k = 0; k < lanes; ++k)
+        amounts &= (sample.radiance[k] >= 0.0) & (sample.radiance[k] <= kMost);
+    return amounts;
+}
+
+/// Y of the constant spectrum 1 is 1.
+Colour<Xyz> xyz_of_lanes(const PixelSample& sample) {
+    static const double kPerWhite = 1.0 / cie_y_integral();
+    const auto lanes = static_cast<std::size_t>(sample.wavelengths.count);
+    return xyz_from_lanes(sample.wavelengths, {sample.radiance.data(), lanes}) * kPerWhite;
+}
+
 class Hash {
 public:
     void add(std::uint64_t word) { state_ = hash_combine(state_, word); }
@@ -150,7 +167,7 @@ void FilmSums::add(int x, int y, const PixelSample& sample, std::int64_t index) 
     const double square = luminance * luminance * (1.0 / y_squared_quantum_);
     add_saturating(y_squared_[pixel], round_wide(std::min(square, kMostSquareQuanta)));
     ++counts_[pixel];
-    if (layout_.spectral_bins > 0) add_bins(pixel, sample);
+    if (layout_.spectral_bins > 0 && !sample.colour) add_bins(pixel, sample);
     add_layers(pixel, sample);
 }
 
@@ -165,24 +182,17 @@ bool FilmSums::layers_are_valid(const PixelSample& sample) {
 
 FilmSums::Verdict FilmSums::xyz_in_quanta(const PixelSample& sample,
                                           std::array<double, 3>& quanta) const {
-    static const double kPerWhite = 1.0 / cie_y_integral();
-    const int lanes = sample.wavelengths.count;
-    DEWBOW_CHECK(lanes >= 1 && lanes <= kMaxLanes, "a packet has 1 to 16 lanes");
     constexpr double kMost = std::numeric_limits<double>::max();
-    bool amounts = true;
-    for (int k = 0; k < lanes; ++k)
-        amounts &= (sample.radiance[k] >= 0.0) & (sample.radiance[k] <= kMost);
-    if (!amounts) return Verdict::invalid;
-
-    const Colour<Xyz> xyz = xyz_from_lanes(
-        sample.wavelengths, {sample.radiance.data(), static_cast<std::size_t>(lanes)});
+    if (!sample.colour && !lanes_are_amounts(sample)) return Verdict::invalid;
+    const Colour<Xyz> xyz = sample.colour ? *sample.colour : xyz_of_lanes(sample);
+    const double least = sample.colour ? -kMost : 0.0;
     bool large = false;
     for (std::size_t c = 0; c < 3; ++c) {
         // A product with a power of two is exact.
-        quanta[c] = xyz[c] * kPerWhite * (1.0 / xyz_quantum_);
-        if (!(quanta[c] >= 0.0 && quanta[c] <= kMost)) return Verdict::invalid;
-        large |= quanta[c] > kMostQuanta;
-        quanta[c] = std::min(quanta[c], kMostQuanta);
+        quanta[c] = xyz[c] * (1.0 / xyz_quantum_);
+        if (!(quanta[c] >= least && quanta[c] <= kMost)) return Verdict::invalid;
+        large |= std::abs(quanta[c]) > kMostQuanta;
+        quanta[c] = std::clamp(quanta[c], -kMostQuanta, kMostQuanta);
     }
     return large ? Verdict::too_large : Verdict::good;
 }

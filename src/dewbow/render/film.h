@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +33,9 @@ struct PixelSample {
     WavelengthPacket wavelengths;
     /// Radiance estimate of each lane, W m⁻² sr⁻¹ nm⁻¹.
     alignas(64) std::array<double, kMaxLanes> radiance{};
+    /// Of estimators that know colours only, in place of lanes: Y of the constant spectrum 1 W m⁻²
+    /// sr⁻¹ nm⁻¹ is 1. May be negative, as single samples of a spectrum are.
+    std::optional<Colour<Xyz>> colour{};
     // The first thing that is seen; of what is seen through or in glass, the glass itself.
     Colour<Xyz> albedo;  ///< under D65: white is that of linear sRGB (1, 1, 1)
     Vec3 normal;         ///< world frame; zero where nothing is hit
@@ -78,8 +82,9 @@ public:
     explicit FilmSums(const FilmLayout& layout);
 
     /// Adds one sample of pixel (x, y) of the whole picture. The one place where a sample that is
-    /// not finite or is negative is found, counted and left out; one whose XYZ exceed 2⁶² reference
-    /// radiances is counted too, and clamped there. Different pixels may be added to at once.
+    /// not finite, or whose lanes are negative, is found, counted and left out; one whose XYZ
+    /// exceed 2⁶² reference radiances is counted too, and clamped there. Different pixels may be
+    /// added to at once. A sample that is a colour adds nothing to spectral bins.
     ///
     /// No sum wraps around: XYZ hold 2²⁴ samples of the largest kind, and the sums of 64 bits and
     /// of Y² stop at their largest value, which does not depend on the order because no term is

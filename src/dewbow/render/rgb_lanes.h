@@ -36,10 +36,10 @@ private:
 };
 
 struct RgbLightLanes : RgbLanes {
-    RgbLightLanes() : RgbLanes(light_basis()) {}
+    explicit RgbLightLanes(const RgbBasis& basis = light_basis()) : RgbLanes(basis) {}
 };
 struct RgbReflectanceLanes : RgbLanes {
-    RgbReflectanceLanes() : RgbLanes(reflectance_basis()) {}
+    explicit RgbReflectanceLanes(const RgbBasis& basis = reflectance_basis()) : RgbLanes(basis) {}
 };
 
 }  // namespace dewbow

@@ -309,6 +309,9 @@ RenderIdentity render_identity(const Scene& scene, const SessionOptions& options
                         std::to_string(settings.max_depth) + ", roulette from " +
                         std::to_string(settings.roulette_depth) + ", wavelengths " +
                         (settings.wavelengths == WavelengthSampling::visual ? "visual" : "uniform");
+    if (estimator == "distributed_1989")
+        identity.settings = "max depth " + std::to_string(settings.max_depth) + ", " +
+                            text_of(settings.distributed_1989);
     identity.seed = settings.seed;
     identity.samples_per_pixel = settings.samples_per_pixel;
     identity.film = film_layout(scene, options);

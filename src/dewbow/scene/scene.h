@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dewbow/scene/camera.h"
+#include "dewbow/scene/distributed_1989.h"
 #include "dewbow/scene/light.h"
 #include "dewbow/scene/material.h"
 #include "dewbow/scene/medium.h"
@@ -31,6 +32,7 @@ struct RenderSettings {
     int max_depth = 64;
     /// From this vertex on paths end by Russian roulette; max_depth and beyond = never.
     int roulette_depth = 6;
+    Distributed1989Settings distributed_1989;
 };
 
 struct Scene {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "dewbow/scene/checks.h"
+#include "dewbow/spectrum/monitors.h"
 
 namespace dewbow {
 namespace {
@@ -22,6 +23,13 @@ void check_film(const Film& film) {
     check_range(who, "the number of spectral bins", film.spectral_bins, 0, kMostSpectralBins);
 }
 
+void check_distributed_1989(const Distributed1989Settings& settings) {
+    const std::string who = "distributed_1989";
+    check_range(who, "the number of samples", settings.sampling.samples, 1, kMostSpectralSamples);
+    check_range(who, "the least weight", settings.least_weight, 0.0, 1.0);
+    find_monitor(settings.model.monitor);
+}
+
 void check_render(const RenderSettings& render) {
     const std::string who = "render";
     check_range(who, "samples per pixel", render.samples_per_pixel, 1, kMostSamples);
@@ -31,6 +39,7 @@ void check_render(const RenderSettings& render) {
     check_range(who, "the greatest depth", render.max_depth, 0, kMostDepth);
     check_range(who, "the roulette's depth", render.roulette_depth, 0,
                 std::numeric_limits<int>::max());
+    check_distributed_1989(render.distributed_1989);
 }
 
 }  // namespace

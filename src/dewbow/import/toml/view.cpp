@@ -6,6 +6,8 @@
 #include <array>
 #include <limits>
 
+#include "dewbow/import/toml/distributed_1989.h"
+
 namespace dewbow::toml_import {
 namespace {
 
@@ -86,6 +88,7 @@ void read_render(const TomlDocument& document, const TomlValue* value, RenderSet
     settings.max_depth = int(table.integer("max_depth", 0, kMostDepth, settings.max_depth));
     settings.roulette_depth =
         int(table.integer("roulette_depth", 0, kMaxInt, settings.roulette_depth));
+    read_distributed_1989(document, table.find("distributed_1989"), settings.distributed_1989);
     table.finish();
 }
 

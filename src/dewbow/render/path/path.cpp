@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/path/path.h"
 
-#include "dewbow/base/check.h"
-
 namespace dewbow {
 
 namespace {
@@ -12,17 +10,9 @@ public:
     explicit PathEstimator(const Scene& scene) : prepared_(scene) {}
 
     void render(const Unit& unit, FilmSums& film) const override {
-        ReplayContext& replay = replay_context();
-        replay.seed = prepared_.scene.render.seed;
-        for (int y = unit.tile.y0; y < unit.tile.y1; ++y) {
-            for (int x = unit.tile.x0; x < unit.tile.x1; ++x) {
-                for (std::int64_t i = unit.first_sample; i < unit.end_sample; ++i) {
-                    replay.pixel_x = x, replay.pixel_y = y, replay.sample = i;
-                    film.add(x, y, trace_pixel_sample(prepared_, x, y, std::uint32_t(i)), i);
-                }
-            }
-        }
-        replay = {};
+        for_each_sample(unit, prepared_.scene.render.seed, [&](int x, int y, std::int64_t i) {
+            film.add(x, y, trace_pixel_sample(prepared_, x, y, std::uint32_t(i)), i);
+        });
     }
 
 private:

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/distributed_1989/scene_of_1989.h"
+
+#include <map>
+#include <utility>
+
+#include "dewbow/optics/paper_index.h"
+#include "dewbow/spectrum/cie.h"
+#include "dewbow/spectrum/illuminant.h"
+#include "dewbow/spectrum/lanewise.h"
+
+namespace dewbow::distributed_1989 {
+
+namespace {
+
+constexpr double kBlueEnds_nm = 490.0, kGreenEnds_nm = 580.0;
+
+class Channels : public Lanewise<Channels> {
+public:
+    explicit Channels(MonitorRgb rgb) : rgb_(rgb) {}
+    double value_at(double lambda_nm) const {
+        return lambda_nm < kBlueEnds_nm ? rgb_[2] : lambda_nm < kGreenEnds_nm ? rgb_[1] : rgb_[0];
+    }
+    double max_value() const override { return *std::max_element(rgb_.v.begin(), rgb_.v.end()); }
+    bool is_constant() const override { return rgb_[0] == rgb_[1] && rgb_[1] == rgb_[2]; }
+
+private:
+    MonitorRgb rgb_;
+};
+
+/// What a surface of that reflectance gives back of D65.
+class UnderWhite : public Lanewise<UnderWhite> {
+public:
+    explicit UnderWhite(const Spectrum& reflectance) : reflectance_(reflectance) {}
+    double value_at(double lambda_nm) const {
+        const Wavelength lambda = lambda_nm * unit::nm;
+        return reflectance_(lambda) * (*white_)(lambda);
+    }
+    double max_value() const override { return reflectance_.max_value() * white_->max_value(); }
+
+private:
+    const Spectrum& reflectance_;
+    SpectrumPtr white_ = find_illuminant("D65");
+};
+
+MonitorRgb rgb_of_light(const Spectrum& light, const SpectralModel& model) {
+    MonitorRgb rgb = model.rgb(xyz_from_spectrum(light) * (1.0 / cie_y_integral()));
+    for (double& channel : rgb.v) channel = std::max(0.0, channel);
+    return rgb;
+}
+
+/// Puts channels in the place of spectra.
+class ToChannels {
+public:
+    explicit ToChannels(const SpectralModel& model) : model_(model) {}
+
+    void light(SpectrumPtr& spectrum) const {
+        if (spectrum) spectrum = channels_of_light(*spectrum, model_);
+    }
+    void reflectance(ColourInput& input) const {
+        if (input.spectrum) input.spectrum = channels_of_reflectance(*input.spectrum, model_);
+    }
+
+    // Surfaces.
+    void operator()(Black&) const {}
+    void operator()(Mix&) const {}
+    void operator()(Conductor&) const {}
+    void operator()(Diffuse& s) const { reflectance(s.reflectance); }
+    void operator()(Mirror& s) const { reflectance(s.reflectance); }
+    void operator()(Dielectric& s) const { reflectance(s.tint); }
+    void operator()(ThinDielectric& s) const { reflectance(s.tint); }
+    void operator()(MetallicRoughness& s) const {
+        reflectance(s.base_colour);
+        reflectance(s.specular_colour);
+        reflectance(s.sheen_colour);
+    }
+
+    // Lights.
+    void operator()(PointLight& l) const { light(l.intensity); }
+    void operator()(SpotLight& l) const { light(l.intensity); }
+    void operator()(ProfileLight& l) const { light(l.intensity_per_cd); }
+    void operator()(BeamLight& l) const { light(l.irradiance); }
+    void operator()(DistantLight& l) const { light(l.irradiance); }
+    void operator()(UniformEnvironment& l) const { light(l.radiance); }
+    void operator()(std::shared_ptr<const ImageEnvironment>&) const {}
+
+private:
+    const SpectralModel& model_;
+};
+
+/// Media whose indices are straight lines. What was one medium stays one.
+class ToLines {
+public:
+    explicit ToLines(SpectralSpacing spacing) : spacing_(spacing) {}
+
+    void operator()(MediumPtr& medium) {
+        MediumPtr& line = lines_[medium];
+        if (!line) {
+            Medium copy = *medium;
+            copy.index = of(copy.index);
+            line = std::make_shared<const Medium>(std::move(copy));
+        }
+        medium = line;
+    }
+    void operator()(Material& material) {
+        if (auto* glass = std::get_if<Dielectric>(&material.surface)) (*this)(glass->interior);
+        if (auto* pane = std::get_if<ThinDielectric>(&material.surface))
+            pane->index = of(pane->index);
+    }
+
+private:
+    DispersionPtr of(const DispersionPtr& real) const {
+        return paper_index_of(real, IndexReading::intended, spacing_);
+    }
+
+    SpectralSpacing spacing_;
+    std::map<MediumPtr, MediumPtr> lines_;
+};
+
+}  // namespace
+
+SpectrumPtr make_channels(MonitorRgb rgb) { return std::make_shared<Channels>(rgb); }
+
+SpectrumPtr channels_of_light(const Spectrum& light, const SpectralModel& model) {
+    return make_channels(rgb_of_light(light, model));
+}
+
+SpectrumPtr channels_of_reflectance(const Spectrum& reflectance, const SpectralModel& model) {
+    if (reflectance.is_constant()) {
+        const double value = reflectance(kChannel_nm[0] * unit::nm);
+        return make_channels({{value, value, value}});
+    }
+    MonitorRgb rgb = rgb_of_light(UnderWhite(reflectance), model);
+    for (double& channel : rgb.v) channel = std::min(1.0, channel);
+    return make_channels(rgb);
+}
+
+RgbBasis light_basis_in_channels(const SpectralModel& model) {
+    RgbBasis basis;
+    for (std::size_t i = 0; i < basis.size(); ++i)
+        basis[i] = channels_of_light(*light_basis()[i], model);
+    return basis;
+}
+
+RgbBasis reflectance_basis_in_channels(const SpectralModel& model) {
+    RgbBasis basis;
+    for (std::size_t i = 0; i < basis.size(); ++i)
+        basis[i] = channels_of_reflectance(*reflectance_basis()[i], model);
+    return basis;
+}
+
+Scene scene_of_1989(const Scene& scene, const SpectralModel& model) {
+    const Distributed1989Settings& settings = scene.render.distributed_1989;
+    Scene told = scene;
+    if (settings.index == IndexSource::linear) {
+        ToLines to_lines(settings.model.spacing);
+        to_lines(told.surroundings);
+        for (Material& material : told.materials) to_lines(material);
+    }
+    if (settings.transport == RgbOrSpectral::rgb) {
+        const ToChannels to_channels(model);
+        for (Material& material : told.materials) {
+            to_channels.light(material.emission);
+            std::visit(to_channels, material.surface);
+        }
+        for (Light& light : told.lights) std::visit(to_channels, light);
+    }
+    return told;
+}
+
+}  // namespace dewbow::distributed_1989
