@@ -53,5 +53,7 @@ struct GlassPaper {
 GlassPaper glass_paper(const GlassPaperCommand& command);
 /// The index over the wavelength, and how far each formula is off, as one SVG.
 std::string glass_paper_plot(const GlassPaper& paper);
+/// Of no glass: w against n_D of the whole catalogue, and Fig. 3.1, an absorption band.
+std::string glass_claims_plot();
 
 }  // namespace dewbow

@@ -149,6 +149,7 @@ void print_claim(bool json) {
 
 int run(const GlassPaperCommand& command) {
     if (command.is_of_all()) {
+        if (!command.plot.empty()) write_file_atomically(command.plot, glass_claims_plot());
         print_claim(command.json);
         return kDone;
     }

@@ -88,7 +88,7 @@ TEST(GlassWrongInput, PapersIndex) {
         {{"paper", "--eta-red", "1", "--w", "0.5"}, kWrongUse, {"--eta-red is 1"}},
         {{"paper", "--eta-red", "1.5", "--w", "nan"}, kWrongUse, {"--w is"}},
         {{"paper", "F2", "--spacing", "frequenzy"}, kWrongUse, {"frequency"}},
-        {{"paper", "--plot", "all.svg"}, kWrongUse, {"--plot wants a glass"}},
+        {{"paper", "--plot", "missing/all.svg"}, kWrongInput, {"missing/all.svg"}},
         {{"paper", "F2", "--plot", "missing/f2.svg"}, kWrongInput, {"missing/f2.svg"}},
     });
 }

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/optics/absorption_band.h"
+
+namespace dewbow {
+
+std::complex<double> index_near(const AbsorptionBand& band, double lambda_um) {
+    const double x = band.c_um / lambda_um;
+    return std::sqrt(1.0 + band.b / std::complex<double>(1.0 - x * x, -band.damping * x));
+}
+
+}  // namespace dewbow
