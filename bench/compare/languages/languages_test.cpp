@@ -11,14 +11,14 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <optional>
 
+#include "child_process.h"
 #include "dewbow/optics/dispersion.h"
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/illuminant.h"
 #include "dewbow/spectrum/rgb.h"
+#include "scratch_folder.h"
 
 namespace dewbow::bench {
 namespace {
@@ -155,8 +155,10 @@ double reflectance(double cos_i, double cos_t, double n_i, double n_t) {
     return 0.5 * (s * s + p * p);
 }
 
-/// Light along a ray that comes to the body from outside, with what is reflected within it.
+/// Light along a ray that comes to the body from outside, with what is reflected within it. The
+/// body's index is taken to be constant.
 Rgb light_along(const PlainScene& scene, const Ray& ray) {
+    const double n = (*scene.body.index)(550.0 * unit::nm).value;
     constexpr int kReflections = 12;
     constexpr double kFar = 1e300, kStep = 1e-9;
     const auto c = crossings(scene.body, ray);
@@ -164,9 +166,8 @@ Rgb light_along(const PlainScene& scene, const Ray& ray) {
     if (const auto direct = lamp_light(scene, ray, meets ? (*c)[0].t : kFar)) return *direct;
     if (!meets) return {};
     const Crossing& in = (*c)[0];
-    Vec3 at = ray.from + ray.along * in.t, along = *refracted(ray.along, in.normal, 1.0 / kIndex);
-    const double r_in =
-        reflectance(-dot(ray.along, in.normal), -dot(along, in.normal), 1.0, kIndex);
+    Vec3 at = ray.from + ray.along * in.t, along = *refracted(ray.along, in.normal, 1.0 / n);
+    const double r_in = reflectance(-dot(ray.along, in.normal), -dot(along, in.normal), 1.0, n);
     Rgb light =
         r_in * lamp_light(scene, {at, mirrored(ray.along, in.normal)}, kFar).value_or(Rgb{});
     double weight = 1.0 - r_in;
@@ -175,9 +176,8 @@ Rgb light_along(const PlainScene& scene, const Ray& ray) {
         if (!within) break;
         const Crossing& out = (*within)[1];
         at += along * out.t;
-        if (const auto away = refracted(along, -out.normal, kIndex)) {
-            const double r =
-                reflectance(dot(along, out.normal), dot(*away, out.normal), kIndex, 1.0);
+        if (const auto away = refracted(along, -out.normal, n)) {
+            const double r = reflectance(dot(along, out.normal), dot(*away, out.normal), n, 1.0);
             light =
                 light + weight * (1.0 - r) * lamp_light(scene, {at, *away}, kFar).value_or(Rgb{});
             weight *= r;
@@ -230,6 +230,15 @@ Moments moments(const Picture& picture, int third_x, int third_y) {
     return m;
 }
 
+Picture picture_of_contestant(const Contestant& contestant, const PlainScene& plain, Knobs knobs) {
+    const ScratchFolder folder;
+    const BenchScene scene{"test", "", make_empty_scene(), plain};
+    const Order order{scene, knobs, 1, folder.path()};
+    EXPECT_EQ(run_child(contestant.write(order), folder.path()).exit_code, 0)
+        << log_tail(folder.path());
+    return contestant.read(order);
+}
+
 using Finder = std::unique_ptr<Contestant> (*)(const Programs&);
 
 struct Language {
@@ -237,8 +246,8 @@ struct Language {
     Finder find;
     int samples;            ///< a pixel
     double mean_tolerance;  ///< of the light in a ninth of the picture: some 4 standard errors
-    double
-        centroid_tolerance_px;  ///< where one lamp is seen: an index wrong by 0.01 moves it by 0.25
+    /// Where one lamp is seen: an index wrong by 0.01 moves it by 0.25.
+    double centroid_tolerance_px;
 };
 void PrintTo(const Language& language, std::ostream* out) { *out << language.name; }
 
@@ -247,24 +256,13 @@ protected:
     void SetUp() override {
         contestant_ = GetParam().find(Programs({}));
         if (!contestant_) GTEST_SKIP() << GetParam().name << " is not on the PATH";
-        folder_ = std::filesystem::temp_directory_path() /
-                  (std::string("dewbow_language_") + GetParam().name + std::to_string(getpid()));
-        std::filesystem::create_directories(folder_);
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     Picture render(const PlainScene& plain, Knobs knobs) {
-        Scene scene = make_empty_scene();
-        const BenchScene bench{"test", "", scene, plain};
-        const Order order{bench, knobs, 1, folder_};
-        std::string command = "cd '" + folder_.string() + "' &&";
-        for (const std::string& word : contestant_->write(order)) command += " '" + word + "'";
-        EXPECT_EQ(std::system((command + " >log 2>&1").c_str()), 0) << command;
-        return contestant_->read(order);
+        return picture_of_contestant(*contestant_, plain, knobs);
     }
 
     std::unique_ptr<Contestant> contestant_;
-    std::filesystem::path folder_;
 };
 
 TEST_P(LanguagesTest, LampsAreWhereSnellAndFresnelPutThem) {
@@ -358,6 +356,37 @@ TEST(Languages, BlendersWavelengthsAreThoseOfThePrimaries) {
                   0.0)
             << channel;
     }
+}
+
+/// Of two bands POV-Ray's first lies at 467.5 nm, and is all that is blue: a lamp's blue image is
+/// where the index is n₀ D^(87.5/350).
+TEST(Languages, PovRaysDispersionIsWhatWeTakeItFor) {
+    const std::unique_ptr<Contestant> pov_ray = find_pov_ray(Programs({}));
+    if (!pov_ray) GTEST_SKIP() << "povray is not on the PATH";
+    PlainScene scene = wedge_and_lamps();
+    scene.lamps.resize(1);
+    scene.body.index = make_dispersion({"cauchy", {1.4, 0.04}, IndexReference::vacuum});
+    const auto n = [](double um) { return 1.4 + 0.04 / (um * um); };
+    const Picture picture = picture_of_contestant(*pov_ray, scene, {2, 256});
+    const auto centre = [](const Picture& p) {
+        double light = 0.0;
+        Vec3 sum;
+        for (int i = 0; i < p.width * p.height; ++i) {
+            const double blue = p.pixels[std::size_t(i)][2];
+            sum += Vec3{0.5 + i % p.width, 0.5 + i / p.width} * blue;
+            light += blue;
+        }
+        return sum / light;
+    };
+    const auto centre_at = [&](double index) {
+        scene.body.index = constant_index(index);
+        return centre(exact_picture(scene));
+    };
+    const Vec3 band = centre_at(n(0.555) * std::pow(n(0.380) / n(0.730), 87.5 / 350.0));
+    const Vec3 nominal = centre_at(n(0.555));
+    constexpr double kTolerance_px = 0.1;
+    EXPECT_LT(length(centre(picture) - band), kTolerance_px);
+    EXPECT_GT(length(nominal - band), 10.0 * kTolerance_px);
 }
 
 INSTANTIATE_TEST_SUITE_P(Peers, LanguagesTest,
