@@ -14,7 +14,7 @@
 namespace dewbow {
 namespace {
 
-constexpr int kMostSpectralSamples = 1000, kMostSets = 1'000'000;
+constexpr int kMostInASet = 1000, kMostSets = 1'000'000;
 constexpr double kLeastGamma = 0.1, kMostGamma = 10.0;
 
 constexpr const char* kExamples = R"(Examples:
@@ -140,8 +140,7 @@ SpectralModelSettings SpectrumCommandLine::model() const {
 
 SpectralSampling SpectrumCommandLine::sampling() const {
     SpectralSampling sampling;
-    if (samples_)
-        sampling.samples = int(parse_integer("--samples", *samples_, 1, kMostSpectralSamples));
+    if (samples_) sampling.samples = int(parse_integer("--samples", *samples_, 1, kMostInASet));
     read_word("--jitter", jitter_, jitter_names(), sampling.jitter);
     sampling.correlated = correlated_;
     sampling.tailored = tailored_;
