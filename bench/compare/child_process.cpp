@@ -7,10 +7,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "dewbow/base/error.h"
 #include "dewbow/base/file.h"
@@ -22,8 +26,6 @@ namespace dewbow::bench {
 namespace {
 
 constexpr const char* kLog = "log.txt";
-/// Linux counts resident memory in KiB.
-constexpr double kMiB_per_KiB = 1.0 / 1024.0;
 
 class SpawnActions {
 public:
@@ -44,28 +46,72 @@ private:
     posix_spawn_file_actions_t actions_{};
 };
 
+/// This program's environment, but for the folder: some programs believe PWD.
+std::vector<std::string> environment_in(const std::filesystem::path& folder) {
+    std::vector<std::string> variables{"PWD=" + folder.string()};
+    for (char** variable = environ; *variable; ++variable)
+        if (std::strncmp(*variable, "PWD=", 4) != 0) variables.emplace_back(*variable);
+    return variables;
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// Asks again and again how much memory a process has had at most. (What wait4 says of it is of no use: there a
+/// child begins with the peak of its parent.)
+class PeakMemory {
+public:
+    explicit PeakMemory(pid_t process)
+        : watch_([this, process](const std::stop_token& stop) {
+              while (!stop.stop_requested()) {
+                  look(process);
+                  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+              }
+          }) {}
+    double stop_MiB() {
+        watch_.request_stop();
+        watch_.join();
+        return double(peak_KiB_) / 1024.0;
+    }
+
+private:
+    void look(pid_t process) {
+        std::ifstream status("/proc/" + std::to_string(process) + "/status");
+        for (std::string line; std::getline(status, line);)
+            if (line.rfind("VmHWM:", 0) == 0)
+                peak_KiB_ = std::max(peak_KiB_, std::atol(line.c_str() + 6));
+    }
+    long peak_KiB_ = 0;
+    std::jthread watch_;
+};
+
 double seconds(timeval t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); }
 
 }  // namespace
 
 ChildUsage run_child(const std::vector<std::string>& words, const std::filesystem::path& folder) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
+    std::vector<std::string> own_words = words, variables = environment_in(folder);
+    const std::vector<char*> arguments = pointers_to(own_words),
+                             environment = pointers_to(variables);
     const SpawnActions actions(folder);
 
     const auto start = std::chrono::steady_clock::now();
     pid_t child = 0;
-    const int failure = posix_spawn(&child, arguments[0], actions.get(), nullptr, arguments.data(), environ);
+    const int failure = posix_spawn(&child, arguments[0], actions.get(), nullptr, arguments.data(), environment.data());
     if (failure != 0)
         throw InputError("cannot start '" + words[0] + "': " + std::strerror(failure));
+    PeakMemory peak(child);
     int status = 0;
     rusage usage{};
     while (wait4(child, &status, 0, &usage) < 0)
         if (errno != EINTR) throw InputError("cannot wait for '" + words[0] + "'");
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count(),
-            double(usage.ru_maxrss) * kMiB_per_KiB,
+            peak.stop_MiB(),
             WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status)};
 }
 

@@ -12,7 +12,7 @@ namespace dewbow::bench {
 struct ChildUsage {
     double cpu_s = 0.0;           ///< user and system, of the process and those that it waited for
     double wall_s = 0.0;
-    double peak_memory_MiB = 0.0;  ///< resident, of the largest of them
+    double peak_memory_MiB = 0.0;  ///< resident, of the process; looked at every 5 ms
     int exit_code = 0;             ///< 128 + the signal's number if one ended it
 };
 

@@ -52,6 +52,8 @@ public:
     virtual bool converges_to_truth() const = 0;
     /// Contestants of one limit say the same: it is rendered once, by the first of them.
     virtual std::string limit_name() const { return name(); }
+    /// Whether another seed gives another picture.
+    virtual bool uses_seed() const { return true; }
     /// What it does instead when asked for `wanted` samples a pixel (a square, a power of two…).
     virtual int possible_samples_per_pixel(int wanted) const { return wanted; }
     /// Writes what its program needs into the folder; neither counted nor timed. Returns the words of the

@@ -23,8 +23,8 @@ struct Options {
     std::vector<std::string> contestants;  ///< none: all
     std::map<std::string, std::filesystem::path> programs;
     std::vector<std::string> program_words;  ///< NAME=FILE
-    std::string size = "128x128";
-    int width = 128, height = 128;
+    std::string size = "96x96";
+    int width = 96, height = 96;
     std::filesystem::path out = "out/bench";
     bool no_limits = false, list = false, references_only = false;
     Plan plan;
@@ -66,7 +66,7 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     app.add_option("--limit-spp", plan.references.limit_samples_per_pixel,
-                   "Samples a pixel of each half of them")
+                   "Samples a pixel of each half of them; more than --split-spp")
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();
     app.add_flag("--no-limits", options.no_limits, "Compare with the truth alone");
@@ -80,7 +80,7 @@ void add_options(CLI::App& app, Options& options) {
 void finish_options(Options& options) {
     if (std::sscanf(options.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
         options.width < 1 || options.height < 1)
-        throw InputError("--size is '" + options.size + "', but is WxH, as 128x128");
+        throw InputError("--size is '" + options.size + "', but is WxH, as 96x96");
     for (const std::string& word : options.program_words) {
         const auto equals = word.find('=');
         if (equals == std::string::npos)
@@ -91,7 +91,6 @@ void finish_options(Options& options) {
     if (std::filesystem::exists(here)) options.programs.try_emplace("dewbow", here);
     Plan& plan = options.plan;
     plan.with_limits = !options.no_limits;
-    plan.references.threads = plan.threads;
     if (plan.references.folder.empty()) plan.references.folder = options.out / "references";
     if (options.references_only) {
         plan.samples_per_pixel.clear();

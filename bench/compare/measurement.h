@@ -19,7 +19,7 @@ namespace dewbow::bench {
 struct Plan {
     std::vector<int> samples_per_pixel = {1, 4, 16, 64, 256, 1024};  ///< of who does not split
     std::vector<int> spectral_samples = {7, 13, 31, 100};            ///< of who splits,
-    std::vector<int> split_samples_per_pixel = {1, 4, 16};           ///< each with each of these
+    std::vector<int> split_samples_per_pixel = {1, 4, 9};            ///< each with each of these
     int repeats = 3;
     int threads = 1;
     double most_cpu_s = 60.0;  ///< a run that would take longer, by those before it, is left out

@@ -61,6 +61,7 @@ PlotPanel panel_of(const std::string& title, const Curves& curves,
 
 std::string plot_of(const Measurements& all, const SceneFacts& scene) {
     Curves truth, limit;
+    bool has_limits = false;
     std::map<std::string, std::size_t> colours;
     for (const Result& result : all.results) {
         if (result.scene != scene.name) continue;
@@ -72,12 +73,13 @@ std::string plot_of(const Measurements& all, const SceneFacts& scene) {
                 curves[key].push_back({result.cpu_s, std::sqrt(mse)});
         };
         add(truth, errors.truth.mse);
-        if (errors.limit) add(limit, errors.limit->mse);
+        add(limit, errors.limit ? errors.limit->mse : errors.truth.mse);
+        has_limits = has_limits || errors.limit;
     }
     std::vector<PlotPanel> panels;
     if (!truth.empty()) panels.push_back(panel_of(scene.name + ": against the truth", truth, colours));
-    if (!limit.empty())
-        panels.push_back(panel_of(scene.name + ": against the contestant's own limit", limit, colours));
+    if (has_limits)
+        panels.push_back(panel_of(scene.name + ": against the contestant's own limit, or the truth if that is its limit", limit, colours));
     return svg_of(panels);
 }
 

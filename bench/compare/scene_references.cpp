@@ -9,6 +9,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/base/file.h"
 #include "dewbow/base/hash.h"
+#include "dewbow/base/parallel.h"
 #include "dewbow/base/random.h"
 #include "dewbow/image/exr.h"
 #include "exact_picture.h"
@@ -70,14 +71,23 @@ Picture kept(const std::filesystem::path& path, const Make& make) {
     return picture;
 }
 
+/// @param equal  the seed makes no difference: one half will do, and the reference does not know its own error.
 template <class Make>
 Reference two_halves(const std::filesystem::path& folder, const std::string& name,
-                     const Make& make) {
+                     bool equal, const Make& make) {
     const auto half = [&](int number, std::uint64_t seed) {
         return kept(folder / fmt::format("{}-{}.exr", name, number), [&] { return make(seed); });
     };
-    const Picture first = half(1, kFirstHalfSeed), second = half(2, kSecondHalfSeed);
-    return make_reference(first, second);
+    const Picture first = half(1, kFirstHalfSeed);
+    return make_reference(first, equal ? first : half(2, kSecondHalfSeed));
+}
+
+/// As many rays for contestants that do not split them.
+Knobs limit_knobs(const Contestant& contestant, const ReferenceSettings& settings) {
+    const int splits = settings.limit_spectral_samples, spp = settings.limit_samples_per_pixel;
+    if (contestant.splits_spectrum())
+        return {splits, contestant.possible_samples_per_pixel(spp), 0};
+    return {0, contestant.possible_samples_per_pixel(splits * spp), 0};
 }
 
 }  // namespace
@@ -85,20 +95,17 @@ Reference two_halves(const std::filesystem::path& folder, const std::string& nam
 Reference true_picture(const BenchScene& scene, const ReferenceSettings& settings) {
     const int samples = settings.truth_samples;
     const std::string key = key_of(scene.plain).text();
-    return two_halves(settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples),
+    return two_halves(settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples), false,
                       [&](std::uint64_t seed) { return exact_picture(scene.plain, samples, seed); });
 }
 
 Reference own_limit(const BenchScene& scene, const Contestant& contestant,
                     const ReferenceSettings& settings) {
-    Knobs knobs;
-    knobs.spectral_samples = settings.limit_spectral_samples;
-    knobs.samples_per_pixel =
-        contestant.possible_samples_per_pixel(settings.limit_samples_per_pixel);
+    Knobs knobs = limit_knobs(contestant, settings);
     const auto render = [&](std::uint64_t seed) {
         const ScratchFolder folder;
         knobs.seed = seed;
-        const Order order{scene, knobs, settings.threads, folder.path()};
+        const Order order{scene, knobs, hardware_threads(), folder.path()};
         const ChildUsage usage = run_child(contestant.write(order), folder.path());
         if (usage.exit_code != 0)
             throw InputError(fmt::format("{} ended with {} at its own limit of {}: {}",
@@ -114,7 +121,7 @@ Reference own_limit(const BenchScene& scene, const Contestant& contestant,
                       fmt::format("{}-{}-{}-{}-{}", scene.name, key.text(),
                                   contestant.limit_name(), knobs.spectral_samples,
                                   knobs.samples_per_pixel),
-                      render);
+                      !contestant.uses_seed(), render);
 }
 
 }  // namespace dewbow::bench

@@ -15,8 +15,8 @@ struct ReferenceSettings {
     std::filesystem::path folder;
     int truth_samples = 2048;  ///< of each half of the true picture, per pixel
     int limit_spectral_samples = 400;
-    int limit_samples_per_pixel = 16;  ///< of each half of a contestant's own limit
-    int threads = 1;  ///< of the contestant; the true picture takes all
+    /// Of each half of a contestant's own limit; more than in its runs, for regular grids would hide their own error.
+    int limit_samples_per_pixel = 16;
 };
 
 /// The true picture (exact_picture), from the folder if it was made before. A change of the scene, of the size or

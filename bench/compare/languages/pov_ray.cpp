@@ -79,6 +79,7 @@ public:
     std::string version() const override { return version_; }
     bool splits_spectrum() const override { return true; }
     bool converges_to_truth() const override { return false; }
+    bool uses_seed() const override { return false; }
     int possible_samples_per_pixel(int wanted) const override {
         return side(wanted) * side(wanted);
     }
