@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "dewbow/spectrum/spectral_model.h"
+#include "dewbow/spectrum/spectral_samples.h"
 
 namespace dewbow::bench {
 namespace {
@@ -81,23 +81,15 @@ struct Sample {
     Colour<Opponent> colour;
 };
 
-/// What each channel of a set is divided by: the sum of the fixed one.
-Rgb divisor(int samples) {
-    Rgb sum;
-    for (int k = 0; k < samples; ++k) sum = sum + paper_colours().density((k + 0.5) / samples);
-    return sum;
+PreparedSpectralSampling sampling(int samples, Jitter jitter, bool correlated) {
+    return {make_spectral_model({}), {samples, jitter, correlated, false}};
 }
-Rgb divided(Rgb colour, Rgb by) {
-    return {{colour[0] / by[0], colour[1] / by[1], colour[2] / by[2]}};
-}
+Sample seen(const SpectralSample& sample) { return {sample.f_index, opponent(sample.rgb)}; }
 
 std::vector<Sample> fixed_samples(int samples) {
-    const Rgb by = divisor(samples);
+    const PreparedSpectralSampling prepared = sampling(samples, Jitter::none, false);
     std::vector<Sample> result;
-    for (int k = 0; k < samples; ++k) {
-        const double f = (k + 0.5) / samples;
-        result.push_back({f, opponent(divided(paper_colours().density(f), by))});
-    }
+    for (int k = 0; k < samples; ++k) result.push_back(seen(prepared.sample(k, 0.5)));
     return result;
 }
 
@@ -153,27 +145,27 @@ constexpr int kPlaces = 64;
 
 /// Covariance of one set's sum where the light at f counts by `lit(f)`.
 template <class Lit>
-Matrix3 set_covariance(int samples, Placing placing, const Lit& lit) {
-    const Rgb by = divisor(samples);
-    const auto coloured = [&](int k, int place) {
-        const double f = (k + (place + 0.5) / kPlaces) / samples;
-        return lit(f) * opponent(divided(paper_colours().density(f), by));
+Matrix3 set_covariance(int samples, bool correlated, const Lit& lit) {
+    const PreparedSpectralSampling prepared = sampling(samples, Jitter::both, correlated);
+    const auto at = [&](int k, int place) {
+        const Sample sample = seen(prepared.sample(k, (place + 0.5) / kPlaces));
+        return lit(sample.f) * sample.colour;
     };
     Matrix3 total;
-    if (placing == Placing::jittered) {
-        for (int k = 0; k < samples; ++k) {
-            Moments moments;
-            for (int place = 0; place < kPlaces; ++place) moments.add(coloured(k, place));
-            add_covariance(total, moments);
-        }
-    } else if (placing == Placing::correlated) {
-        Moments moments;
+    if (correlated) {
+        Moments common;
         for (int place = 0; place < kPlaces; ++place) {
             Colour<Opponent> sum;
-            for (int k = 0; k < samples; ++k) sum = sum + coloured(k, place);
-            moments.add(sum);
+            for (int k = 0; k < samples; ++k) sum = sum + at(k, place);
+            common.add(sum);
         }
-        add_covariance(total, moments);
+        add_covariance(total, common);
+        return total;
+    }
+    for (int k = 0; k < samples; ++k) {
+        Moments own;
+        for (int place = 0; place < kPlaces; ++place) own.add(at(k, place));
+        add_covariance(total, own);
     }
     return total;
 }
@@ -211,13 +203,13 @@ double aliasing(const Sight& sight, int samples) {
     return most;
 }
 
-double noise(const Sight& sight, int samples, Placing placing, int sets) {
+double noise(const Sight& sight, int samples, bool correlated, int sets) {
     constexpr int kAngles = 120;
     const double from = -0.5 * sight.source, to = sight.spread + 0.5 * sight.source;
     double most = 0.0;
     for (int i = 0; i <= kAngles; ++i) {
         const double angle = from + (to - from) * i / kAngles;
-        const Matrix3 covariance = set_covariance(samples, placing, [&](double f) {
+        const Matrix3 covariance = set_covariance(samples, correlated, [&](double f) {
             return std::abs(angle - sight.spread * f) <= 0.5 * sight.source ? 1.0 : 0.0;
         });
         most = std::max(most, visible_noise(seen_in_the_limit(sight, angle), covariance, sets,
@@ -226,8 +218,8 @@ double noise(const Sight& sight, int samples, Placing placing, int sets) {
     return most;
 }
 
-double noise_of_white(int samples, Placing placing, int sets, double pixel_arcmin) {
-    const Matrix3 covariance = set_covariance(samples, placing, [](double) { return 1.0; });
+double noise_of_white(int samples, bool correlated, int sets, double pixel_arcmin) {
+    const Matrix3 covariance = set_covariance(samples, correlated, [](double) { return 1.0; });
     return visible_noise(opponent({{1.0, 1.0, 1.0}}), covariance, sets, pixel_arcmin);
 }
 

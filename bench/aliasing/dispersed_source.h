@@ -16,13 +16,6 @@ struct Sight {
     double pixel = 0.0;   ///< width of the picture's pixels; their blur counts as a Gaussian's
 };
 
-/// How a set of N coloured samples is placed in its N intervals of f.
-enum class Placing {
-    fixed,     ///< in their middles
-    jittered,  ///< each anywhere in its own, alone
-    correlated ///< each anywhere in its own, all at the same place
-};
-
 /// As an eye sees it at `angle` from the middle of the source's reddest picture, with infinitely
 /// many samples.
 Colour<Opponent> seen_in_the_limit(const Sight& sight, double angle);
@@ -34,9 +27,9 @@ Colour<Opponent> seen_with_samples(const Sight& sight, int samples, double angle
 double aliasing(const Sight& sight, int samples);
 
 /// The largest root mean square of visible noise anywhere in a picture whose pixels hold the mean
-/// of `sets` sets of samples that are placed at random.
-double noise(const Sight& sight, int samples, Placing placing, int sets);
+/// of `sets` sets of samples that are jittered, each alone or all by a common offset.
+double noise(const Sight& sight, int samples, bool correlated, int sets);
 /// The same in the middle of a white field as wide as the sky.
-double noise_of_white(int samples, Placing placing, int sets, double pixel_arcmin);
+double noise_of_white(int samples, bool correlated, int sets, double pixel_arcmin);
 
 }  // namespace dewbow::bench

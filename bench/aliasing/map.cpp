@@ -62,8 +62,8 @@ std::string csv_lines(const Row& row) {
             "{},{},{:.4f},{:.2f},{},{:g},{},{:.3f},{:.3f},{:.3f},{:.3f}\n", row.prism.name, row.index,
             row.prism.w, spread, row.source.name, width, n, aliasing({spread, width, kFinePixel}, n),
             aliasing({spread, width, kPixelOf1989}, n),
-            noise({spread, width, kNoisePixel}, n, Placing::jittered, kSets),
-            noise({spread, width, kNoisePixel}, n, Placing::correlated, kSets));
+            noise({spread, width, kNoisePixel}, n, false, kSets),
+            noise({spread, width, kNoisePixel}, n, true, kSets));
     return lines;
 }
 
@@ -120,7 +120,7 @@ PlotPanel map_panel(const std::string& title, double pixel) {
         for (const Prism& prism : prisms)
             panel.marks.push_back({{at, prism.spread_arcmin}, prism.name + what, "#555"});
     };
-    mark(paper_prisms(kApex), 0.6, ", paper");
+    mark(paper_prisms(kApex), 0.6, ", paper's line");
     mark(real_prisms(kApex), 9.0, "");
     return panel;
 }
@@ -135,7 +135,7 @@ PlotPanel white_noise_panel() {
         PlotCurve curve{fmt::format("{}", kCounts[i]), plot_colour(i), {}};
         for (int sets = 1; sets <= 256; sets *= 2)
             curve.points.push_back(
-                {double(sets), noise_of_white(kCounts[i], Placing::jittered, sets, kNoisePixel)});
+                {double(sets), noise_of_white(kCounts[i], false, sets, kNoisePixel)});
         panel.curves.push_back(std::move(curve));
     }
     panel.curves.push_back(
