@@ -4,10 +4,14 @@
 
     tools/contact_sheet.py -o sheet.png examples/*.toml ring.glb
     tools/contact_sheet.py -o sheet.png --columns 4 --size 320x240 --spp 64 SCENE...
+    tools/contact_sheet.py -o sheet.png --variant="--set render.packet=1" --variant="--set render.packet=8" SCENE...
+
+With variants, options of `dewbow render`, each scene is rendered once with each.
 """
 
 import argparse
 import pathlib
+import shlex
 import struct
 import subprocess
 import sys
@@ -91,16 +95,18 @@ def main():
     parser.add_argument("--columns", type=int, default=4)
     parser.add_argument("--size", default="320x240")
     parser.add_argument("--spp", default="64")
+    parser.add_argument("--variant", action="append", metavar="OPTIONS")
     parser.add_argument("--dewbow", default=ROOT / "build/release/dewbow")
     options = parser.parse_args()
 
     pictures = []
     with tempfile.TemporaryDirectory() as folder:
         for scene in options.scenes:
-            picture = pathlib.Path(folder) / "picture.png"
-            subprocess.run([options.dewbow, "render", scene, "-o", picture, "--size", options.size,
-                            "--spp", options.spp], check=True)
-            pictures.append(read_png(picture))
+            for variant in options.variant or [""]:
+                picture = pathlib.Path(folder) / "picture.png"
+                subprocess.run([options.dewbow, "render", scene, "-o", picture, "--size", options.size,
+                                "--spp", options.spp, *shlex.split(variant)], check=True)
+                pictures.append(read_png(picture))
     write_png(options.output, *sheet(pictures, options.columns))
 
 
