@@ -5,10 +5,11 @@
 // that of infinitely many.
 //
 //     bench_aliasing_map [aliasing-map.csv] [aliasing-map.svg]
+//     bench_aliasing_map --check
 //
 // The table has, for each prism, source and N, the largest CIEDE2000 difference of fixed samples, and
 // the root mean square of the noise of jittered and correlated ones. The plot shows how large the
-// spread may be before N fixed samples show.
+// spread may be before N fixed samples show. With --check some places of the map are rendered instead.
 
 #include <fmt/format.h>
 
@@ -16,9 +17,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "aliasing/dispersed_source.h"
 #include "aliasing/prisms.h"
+#include "aliasing/rendered.h"
 #include "dewbow/base/error.h"
 #include "dewbow/base/file.h"
 #include "dewbow/base/parallel.h"
@@ -151,13 +154,32 @@ void run(const std::string& table, const std::string& plot) {
     write_file_atomically(plot, svg_of(panels));
 }
 
+void check() {
+    std::printf("| prism, paper's line | source | samples | closed form | rendered |\n"
+                "|---|---|---|---|---|\n");
+    for (const Prism& prism : paper_prisms(kApex)) {
+        if (prism.name == "4 × SF11") continue;  // bends violet twice as far as it would evenly
+        for (const Source& source : {kSources[1], kSources[4], kSources[6]})
+            for (const int samples : {7, 13, 31}) {
+                const Sight sight{prism.spread_arcmin, source.width_arcmin, kNoisePixel};
+                std::printf("| %s | %g' | %d | %.2f | %.2f |\n", prism.name.c_str(),
+                            source.width_arcmin, samples, aliasing(sight, samples),
+                            rendered_aliasing(prism, kApex, source.width_arcmin, kNoisePixel, samples));
+                std::fflush(stdout);
+            }
+    }
+}
+
 }  // namespace
 }  // namespace dewbow::bench
 
 int main(int argc, char** argv) {
     try {
-        dewbow::bench::run(argc > 1 ? argv[1] : "aliasing-map.csv",
-                           argc > 2 ? argv[2] : "aliasing-map.svg");
+        if (argc == 2 && std::string_view(argv[1]) == "--check")
+            dewbow::bench::check();
+        else
+            dewbow::bench::run(argc > 1 ? argv[1] : "aliasing-map.csv",
+                               argc > 2 ? argv[2] : "aliasing-map.svg");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_aliasing_map: %s\n", error.what());
         return 1;
