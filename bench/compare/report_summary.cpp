@@ -11,6 +11,7 @@ namespace dewbow::bench {
 namespace {
 
 constexpr const char* kPath = "path";
+constexpr const char* kRival = "pov-ray";
 /// The number of spectral samples that a careful user of a splitting renderer takes.
 constexpr int kCarefulSplit = 31;
 /// How much longer one waits for a final picture.
@@ -34,6 +35,30 @@ ErrorCurve curve_of(const Measurements& all, const std::string& scene,
 std::string share_of(const std::optional<double>& mse, double other_mse) {
     if (!mse || other_mse <= 0.0) return "not measured";
     return fmt::format("{:.3f}", std::sqrt(*mse / other_mse));
+}
+
+/// What the aim is about, a sentence for each scene and number of samples of `kRival`.
+std::string aim_sentences(const Measurements& all, const SceneFacts& scene) {
+    const ErrorCurve path = curve_of(all, scene.name, kPath, all_cpu);
+    std::string text;
+    for (const Result& rival : all.results) {
+        if (rival.scene != scene.name || rival.contestant != kRival ||
+            rival.knobs.spectral_samples != kCarefulSplit)
+            continue;
+        const MaskErrors& errors = rival.over("whole");
+        const auto shares = [&](double mse) {
+            return fmt::format("{}, and at {:.0f} times that time {}",
+                               share_of(path.error_at(rival.cpu_s), mse), kPatience,
+                               share_of(path.error_at(kPatience * rival.cpu_s), mse));
+        };
+        text += fmt::format("* **{}**: at the {:.3g} s of CPU that {} takes for {} samples ({} spp) {} has this part of its error: {}",
+                            scene.name, rival.cpu_s, kRival, kCarefulSplit,
+                            rival.knobs.samples_per_pixel, kPath, shares(errors.truth.mse));
+        if (errors.limit)
+            text += fmt::format("; and of its error against its own limit: {}", shares(errors.limit->mse));
+        text += ".\n";
+    }
+    return text;
 }
 
 std::string equal_time_rows(const Measurements& all, const SceneFacts& scene) {
@@ -87,8 +112,9 @@ const Result* find_result(const Measurements& all, const Result& like, const std
     return nullptr;
 }
 
+/// Where light has come apart: elsewhere nothing is jittered.
 double own_mse(const Result& result) {
-    const MaskErrors& errors = result.over("whole");
+    const MaskErrors& errors = result.over("coloured");
     return errors.limit ? errors.limit->mse : errors.truth.mse;
 }
 
@@ -111,7 +137,7 @@ std::string jitter(const Measurements& all) {
         rows += row + '\n';
     }
     if (rows.empty()) return {};
-    return "\nWhat jitter and correlation buy: root mean square error over that of fixed samples, at equal N and samples; "
+    return "\nWhat jitter and correlation buy: root mean square error of the coloured pixels over that of fixed samples, at equal N and samples; "
            "against the method's own limit where its model is not the true one. *Time*: CPU, less start-up, over "
            "that of fixed samples.\n\n"
            "| scene | method | N | spp | RMSE, fixed | jittered | time | correlated | time "
@@ -121,6 +147,11 @@ std::string jitter(const Measurements& all) {
 
 }  // namespace
 
-std::string summary_of(const Measurements& all) { return equal_time(all) + jitter(all); }
+std::string summary_of(const Measurements& all) {
+    std::string aim;
+    for (const SceneFacts& scene : all.scenes) aim += aim_sentences(all, scene);
+    if (!aim.empty()) aim += '\n';
+    return aim + equal_time(all) + jitter(all);
+}
 
 }  // namespace dewbow::bench
