@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dewbow/render/session.h"
 #include "scene_kit.h"
 
@@ -42,11 +44,14 @@ Scene scene_of_everything() {
     return scene;
 }
 
-FilmSums render(const Scene& scene, std::optional<PixelRect> crop = {}) {
+FilmSums render(const Scene& scene, std::optional<PixelRect> crop = {},
+                const std::string& method = "path") {
     SessionOptions options;
     options.crop = crop;
     FilmSums film = make_film(scene, options);
-    const SessionResult result = run_session(scene, *make_path_estimator(scene), options, film);
+    const auto row = std::find_if(estimators().begin(), estimators().end(),
+                                  [&](const EstimatorRow& e) { return e.name == method; });
+    const SessionResult result = run_session(scene, *row->make(scene), options, film);
     EXPECT_EQ(result.invalid_samples, 0);
     EXPECT_EQ(result.film_hash, film.fingerprint());
     return film;
@@ -81,6 +86,33 @@ TEST(SameBits, ACropIsAPartOfTheWhole) {
             ASSERT_EQ(part.variance_of_mean(x, y), whole.variance_of_mean(x, y));
             for (int bin = 0; bin < 3; ++bin) ASSERT_EQ(part.bin(x, y, bin), whole.bin(x, y, bin));
         }
+}
+
+TEST(SameBits, Distributed1989TooInAllItsWays) {
+    const ThreadsGuard guard;
+    Scene scene = scene_of_everything();
+    scene.film.spectral_bins = 0;
+    scene.render.samples_per_pixel = 4;
+    scene.render.max_depth = 6;
+    auto& settings = scene.render.distributed_1989;
+    std::vector<std::uint64_t> seen;
+    for (const RgbOrSpectral transport : {RgbOrSpectral::rgb, RgbOrSpectral::spectral}) {
+        settings.transport = transport;
+        for (const Jitter jitter : {Jitter::none, Jitter::both}) {
+            settings.sampling.jitter = jitter;
+            set_thread_count(1);
+            const FilmSums whole = render(scene, {}, "distributed_1989");
+            set_thread_count(5);
+            EXPECT_EQ(render(scene, {}, "distributed_1989").fingerprint(), whole.fingerprint());
+            const PixelRect crop{13, 5, 39, 31};
+            const FilmSums part = render(scene, crop, "distributed_1989");
+            for (int y = crop.y0; y < crop.y1; ++y)
+                for (int x = crop.x0; x < crop.x1; ++x)
+                    ASSERT_EQ(part.xyz(x, y), whole.xyz(x, y)) << x << ", " << y;
+            for (const std::uint64_t other : seen) EXPECT_NE(whole.fingerprint(), other);
+            seen.push_back(whole.fingerprint());
+        }
+    }
 }
 
 }  // namespace

@@ -55,6 +55,26 @@ void add_all(FilmSums& film, const std::vector<Event>& events) {
     for (const Event& e : events) film.add(e.x, e.y, e.sample, e.index);
 }
 
+PixelSample coloured_sample(Colour<Xyz> xyz) {
+    PixelSample sample;
+    sample.colour = xyz;
+    return sample;
+}
+
+TEST(Film, SamplesMayBeColours) {
+    FilmSums film(kWidth, kHeight, kWhole, 0, 1.0);
+    film.add(1, 1, coloured_sample({{0.5, 1.0, 2.0}}), 0);
+    // A single sample of a spectrum may lie outside all real colours: together they do not.
+    film.add(1, 1, coloured_sample({{-0.25, 0.5, -1.0}}), 1);
+    EXPECT_EQ(film.xyz(1, 1), (Colour<Xyz>{{0.125, 0.75, 0.5}}));  // binary fractions: exact
+    EXPECT_EQ(film.variance_of_mean(1, 1), 0.0625);  // ((1 − ¾)² + (½ − ¾)²) / 2
+    EXPECT_EQ(film.invalid_samples(), 0);
+    film.add(1, 1, coloured_sample({{std::nan(""), 0.0, 0.0}}), 2);
+    film.add(1, 1, coloured_sample({{0.0, std::numeric_limits<double>::infinity(), 0.0}}), 3);
+    EXPECT_EQ(film.invalid_samples(), 2);
+    EXPECT_EQ(film.samples(1, 1), 2u);
+}
+
 TEST(Film, FingerprintDoesNotDependOnTheOrder) {
     std::vector<Event> events = random_events(20000);
     FilmSums first(kWidth, kHeight, kWhole, 7, 1.0);

@@ -32,18 +32,21 @@ Workspace::Workspace(const Method& method)
 PixelSample RayTree::grow(int x, int y) {
     const CameraRays& camera = prepared_.camera;
     const Ray ray = camera.ray(x, y, key_);
-    MonitorRgb sum;
-    if (camera.disperses())
-        sum = through_lens(x, y, ray);
-    else
-        sum = follow({ray, prepared_.camera_media, BandValues(workspace_.white.bands.count(), 1.0)},
-                     workspace_.white);
+    return camera.disperses() ? through_lens(x, y, ray) : grow(ray, prepared_.camera_media);
+}
+
+PixelSample RayTree::grow(const Ray& ray, MediaStack media) {
+    const BandValues all(workspace_.white.bands.count(), 1.0);
+    return finish(follow({ray, media, all}, workspace_.white));
+}
+
+PixelSample RayTree::finish(MonitorRgb sum) {
     result_.colour = method_.xyz(sum);
     return result_;
 }
 
 /// Behind a lens with dispersion a ray is split from the start; `first` is what the layers see.
-MonitorRgb RayTree::through_lens(int x, int y, const Ray& first) {
+PixelSample RayTree::through_lens(int x, int y, const Ray& first) {
     const Hit hit = prepared_.accelerator.intersect(first);
     if (hit && prepared_.scene.render.max_depth > 0)
         see_first(prepared_, vertex_at(prepared_, first, hit),
@@ -58,7 +61,7 @@ MonitorRgb RayTree::through_lens(int x, int y, const Ray& first) {
         total = total + follow({rays.ray(0), prepared_.camera_media, beta, 0, ++branches_},
                                workspace_.sample);
     }
-    return limited(total, {{1.0, 1.0, 1.0}});
+    return finish(limited(total, {{1.0, 1.0, 1.0}}));
 }
 
 /// What `first` and all rays that it becomes bring home.

@@ -77,10 +77,13 @@ public:
 
     /// The sample of the key at pixel (x, y).
     PixelSample grow(int x, int y);
+    /// What arrives along `ray`, which starts in `media`.
+    PixelSample grow(const Ray& ray, MediaStack media);
 
 private:
     // Following.
-    MonitorRgb through_lens(int x, int y, const Ray& first);
+    PixelSample through_lens(int x, int y, const Ray& first);
+    PixelSample finish(MonitorRgb sum);
     MonitorRgb follow(TracedRay first, RayFamily& family);
     void trace(TracedRay ray, RayFamily& family, MonitorRgb& sum);
     bool interact(Meeting at, const Material& material, int interior);
