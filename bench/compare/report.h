@@ -25,7 +25,7 @@ std::string report_of(const Measurements& all, const Plan& plan, const Circumsta
 /// correlation buy.
 std::string summary_of(const Measurements& all);
 
-/// SVG: error over CPU time, a panel for the truth and, where there are any, one for contestants' own limits.
+/// SVG: error over CPU time against the truth, against contestants' own limits, of the coloured pixels, and FLIP.
 std::string plot_of(const Measurements& all, const SceneFacts& scene);
 
 /// One JSON object a line: circumstances, scenes, runs.

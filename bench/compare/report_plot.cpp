@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <vector>
 
 #include "dewbow/export/plot.h"
 #include "report.h"
@@ -20,7 +21,7 @@ struct CurveKey {
 };
 using Curves = std::map<CurveKey, std::vector<PlotPoint>>;
 
-/// Round up or down to 1, 2 or 5 times a power of ten would crowd the labels; a little room does.
+/// Air around the points, a factor.
 constexpr double kRoom = 1.4;
 
 void fit(PlotAxis& axis, double low, double high) {
@@ -29,7 +30,14 @@ void fit(PlotAxis& axis, double low, double high) {
     axis.to = high * kRoom;
 }
 
-PlotPanel panel_of(const std::string& title, const Curves& curves,
+/// Where there are more contestants than colours, the second of a colour is dashed.
+bool has_colour_of_an_earlier(std::size_t number) {
+    for (std::size_t earlier = 0; earlier < number; ++earlier)
+        if (plot_colour(earlier) == plot_colour(number)) return true;
+    return false;
+}
+
+PlotPanel panel_of(const std::string& title, const std::string& unit, const Curves& curves,
                    const std::map<std::string, std::size_t>& colours) {
     PlotPanel panel;
     panel.title = title;
@@ -39,7 +47,9 @@ PlotPanel panel_of(const std::string& title, const Curves& curves,
         curve.label = key.spectral_samples == 0
                           ? key.contestant
                           : fmt::format("{} N {}", key.contestant, key.spectral_samples);
-        curve.colour = plot_colour(colours.at(key.contestant));
+        const std::size_t number = colours.at(key.contestant);
+        curve.colour = plot_colour(number);
+        curve.dashed = has_colour_of_an_earlier(number);
         curve.points = points;
         for (const PlotPoint& point : points) {
             low_x = std::min(low_x, point.x), high_x = std::max(high_x, point.x);
@@ -49,7 +59,7 @@ PlotPanel panel_of(const std::string& title, const Curves& curves,
         panel.curves.push_back(std::move(curve));
     }
     panel.x.label = "CPU time, s";
-    panel.y.label = "root mean square error (white = 1)";
+    panel.y.label = unit;
     fit(panel.x, low_x, high_x);
     fit(panel.y, low_y, high_y);
     panel.width = 760.0;
@@ -57,30 +67,50 @@ PlotPanel panel_of(const std::string& title, const Curves& curves,
     return panel;
 }
 
+/// One way of looking at a scene's results.
+struct View {
+    std::string title, unit;
+    double (*error)(const Result& result);
+};
+double root_of(double mse) { return std::sqrt(mse); }
+constexpr const char* kRootUnit = "root mean square error (white = 1)";
+const std::vector<View>& views() {
+    static const std::vector<View> all = {
+        {"against the truth", kRootUnit,
+         [](const Result& result) { return root_of(result.over("whole").truth.mse); }},
+        {"against its own limit (the truth, if that is its limit)", kRootUnit,
+         [](const Result& result) {
+             const MaskErrors& errors = result.over("whole");
+             return root_of(errors.limit ? errors.limit->mse : errors.truth.mse);
+         }},
+        {"coloured pixels, against the truth", kRootUnit,
+         [](const Result& result) { return root_of(result.over("coloured").truth.mse); }},
+        {"FLIP, against the truth", "FLIP",
+         [](const Result& result) { return result.over("whole").truth.flip; }},
+    };
+    return all;
+}
+
 }  // namespace
 
 std::string plot_of(const Measurements& all, const SceneFacts& scene) {
-    Curves truth, limit;
-    bool has_limits = false;
     std::map<std::string, std::size_t> colours;
-    for (const Result& result : all.results) {
-        if (result.scene != scene.name) continue;
-        colours.emplace(result.contestant, colours.size());
-        const CurveKey key{result.contestant, result.knobs.spectral_samples};
-        const MaskErrors& errors = result.over("whole");
-        const auto add = [&](Curves& curves, double mse) {
-            if (mse > 0.0 && std::isfinite(mse))
-                curves[key].push_back({result.cpu_s, std::sqrt(mse)});
-        };
-        add(truth, errors.truth.mse);
-        add(limit, errors.limit ? errors.limit->mse : errors.truth.mse);
-        has_limits = has_limits || errors.limit;
-    }
+    for (const Result& result : all.results)
+        if (result.scene == scene.name) colours.emplace(result.contestant, colours.size());
     std::vector<PlotPanel> panels;
-    if (!truth.empty()) panels.push_back(panel_of(scene.name + ": against the truth", truth, colours));
-    if (has_limits)
-        panels.push_back(panel_of(scene.name + ": against the contestant's own limit, or the truth if that is its limit", limit, colours));
-    return svg_of(panels);
+    for (const View& view : views()) {
+        Curves curves;
+        for (const Result& result : all.results) {
+            if (result.scene != scene.name) continue;
+            const double error = view.error(result);
+            if (error > 0.0 && std::isfinite(error))
+                curves[{result.contestant, result.knobs.spectral_samples}].push_back(
+                    {result.cpu_s, error});
+        }
+        if (!curves.empty())
+            panels.push_back(panel_of(scene.name + ": " + view.title, view.unit, curves, colours));
+    }
+    return svg_of(panels, 2);
 }
 
 }  // namespace dewbow::bench
