@@ -70,10 +70,10 @@ ConvexFaces::Crossing ConvexFaces::exit(Vec3 origin, Vec3 d) const {
     double nearest_below = 1.0, nearest_rate = 0.0;  // distance = below / rate, infinite at first
     for (const Face& face : planes_) {
         const double rate = dot(face.normal, d);
-        if (rate <= 0.0) continue;
         const double below = face.offset - dot(face.normal, origin);
-        if (below * nearest_rate >= nearest_below * rate) continue;
-        nearest = &face, nearest_below = below, nearest_rate = rate;
+        // One condition, rarely true: half of the faces look away, and which is not predictable.
+        if ((rate > 0.0) & (below * nearest_rate < nearest_below * rate))
+            nearest = &face, nearest_below = below, nearest_rate = rate;
     }
     return {std::max(0.0, nearest_below / nearest_rate), nearest->normal};
 }

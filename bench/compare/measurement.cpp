@@ -48,6 +48,17 @@ std::vector<Arm> arms_of(const Contestant& contestant, const Plan& plan) {
     return arms;
 }
 
+/// The first of each, then the second of each…
+std::vector<Arm> in_turn(const std::vector<std::vector<Arm>>& arms) {
+    std::vector<Arm> turns;
+    std::size_t most = 0;
+    for (const auto& of_one : arms) most = std::max(most, of_one.size());
+    for (std::size_t i = 0; i < most; ++i)
+        for (const auto& of_one : arms)
+            if (i < of_one.size()) turns.push_back(of_one[i]);
+    return turns;
+}
+
 /// Median of a number over runs.
 template <class Value>
 double median_of(const std::vector<const Run*>& runs, const Value& value) {
@@ -100,15 +111,16 @@ public:
     void run() {
         make_references();
         for (const Contestant* contestant : contestants_) measure_start_up(*contestant);
-        std::vector<Arm> arms;
+        std::vector<std::vector<Arm>> arms;
         for (const Contestant* contestant : contestants_)
-            for (const Arm& arm : arms_of(*contestant, plan_)) arms.push_back(arm);
+            arms.push_back(arms_of(*contestant, plan_));
+        std::vector<Arm> turns = in_turn(arms);
         for (int repeat = 0; repeat < plan_.repeats; ++repeat) {
-            for (const Arm& arm : arms) run_arm(arm, repeat);
-            std::reverse(arms.begin(), arms.end());
+            for (const Arm& arm : turns) run_arm(arm, repeat);
+            std::reverse(turns.begin(), turns.end());
         }
-        if (plan_.repeats % 2 == 1) std::reverse(arms.begin(), arms.end());
-        for (const Arm& arm : arms) sum_up(arm);
+        for (const auto& of_one : arms)
+            for (const Arm& arm : of_one) sum_up(arm);
         all_.scenes.push_back(std::move(facts_));
     }
 
@@ -140,7 +152,7 @@ private:
                 return;
             }
         }
-        facts_.limit_error[contestant.name()] =
+        facts_.limit_error[name] =
             Comparison(limits_.at(name).mean, truth_).errors(masks_.front().mask);
     }
 

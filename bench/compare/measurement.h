@@ -65,7 +65,7 @@ struct SceneFacts {
     Picture truth;
     PictureErrors truth_own;                      ///< error of the truth itself, whole picture
     std::map<std::string, double> mask_share;     ///< share of the pixels
-    std::map<std::string, PictureErrors> limit_error;  ///< by contestant: its limit against the truth
+    std::map<std::string, PictureErrors> limit_error;  ///< by limit_name: the limit against the truth
     std::vector<std::string> left_out;            ///< runs that would have taken too long or failed, in words
 };
 
@@ -78,8 +78,8 @@ struct Measurements {
 
 using ContestantPtr = std::unique_ptr<Contestant>;
 
-/// Runs all contestants on all scenes. In each repeat all of them take their turns, every other time in
-/// reverse, so that what else the machine does falls on all. `say` is told what is going on.
+/// Runs all contestants on all scenes. They take turns, from few samples to many, and every other repeat in reverse, so
+/// that what else the machine does falls on all. `say` is told what is going on.
 Measurements measure(const std::vector<BenchScene>& scenes,
                      const std::vector<ContestantPtr>& contestants, const Plan& plan,
                      const std::function<void(const std::string&)>& say);

@@ -58,9 +58,9 @@ std::string scene_section(const Measurements& all, const SceneFacts& scene) {
         "of the pixels.\n",
         scene.name, scene.truth_own.mse, scene.truth_own.relative_mse,
         100.0 * scene.mask_share.at("coloured"));
-    for (const auto& [contestant, errors] : scene.limit_error)
+    for (const auto& [limit, errors] : scene.limit_error)
         text += fmt::format("The limit of {} lies {:.3g} (MSE; FLIP {:.3g}) from the truth.\n",
-                            contestant, errors.mse, errors.flip);
+                            limit, errors.mse, errors.flip);
     text += fmt::format("\n![error over time](error-{}.svg)\n\n", scene.name) + table(all, scene);
     for (const std::string& what : scene.left_out)
         text += fmt::format("\nLeft out: {}\n", what);

@@ -128,13 +128,15 @@ std::string jitter(const Measurements& all) {
             fmt::format("| {} | {} | {} | {} | {:.3g} |", fixed.scene, name,
                         fixed.knobs.spectral_samples, fixed.knobs.samples_per_pixel,
                         std::sqrt(own_mse(fixed)));
+        bool alone = true;
         for (const char* way : kWays) {
             const Result* other = find_result(all, fixed, name + way);
+            alone = alone && !other;
             row += other ? fmt::format(" {} | {:.2f} |", share_of(own_mse(*other), own_mse(fixed)),
                                        other->work_cpu_s() / fixed.work_cpu_s())
                          : " | |";
         }
-        rows += row + '\n';
+        if (!alone) rows += row + '\n';
     }
     if (rows.empty()) return {};
     return "\nWhat jitter and correlation buy: root mean square error of the coloured pixels over that of fixed samples, at equal N and samples; "
