@@ -118,7 +118,7 @@ int run(int argc, char** argv) {
     Scene scene = load_scene(argv[1], load).scene;
     if (argc > 2) scene.render.samples_per_pixel = std::atoi(argv[2]);
     const auto estimator = estimators().front().make(scene);
-    RenderState state(render_identity(scene, {}, estimators().front().name, 0));
+    RenderState state(render_identity(scene, {}, estimators().front(), 0));
     LiveState live(state);
     FilmSums plain = make_film(scene, {});
     Costs costs;

@@ -83,7 +83,7 @@ SessionResult result_of(const RenderState& sum) {
 /// The facts are those of the machines that rendered, not of the one that merges.
 Attributes facts_of(const RenderState& sum, const Scene& scene, const SessionResult& result,
                     const std::string& scene_file) {
-    Attributes facts = render_facts(scene, result, scene_file);
+    Attributes facts = render_facts(scene, sum.identity, result, scene_file);
     for (Attribute& fact : facts)
         if (fact.name == "dewbow:fingerprint") fact.value = sum.identity.fingerprint;
     return facts;

@@ -236,8 +236,9 @@ int render_picture(const RenderCommand& command, const LoadedScene& loaded,
     display.exposure_stops = exposure_of(state.film, scene.film);
     tell_of_exposure(command, scene.film, display.exposure_stops);
     display.gamut = command.gamut;
-    const std::vector<std::string> failures = write_pictures(
-        paths, state.film, scene, display, render_facts(scene, result, scene_name(command)));
+    const std::vector<std::string> failures =
+        write_pictures(paths, state.film, scene, display,
+                       render_facts(scene, state.identity, result, scene_name(command)));
     if (!failures.empty()) return keep_after_failure(failures, state, checkpoint);
     if (!interrupted) checkpoint.remove();
 

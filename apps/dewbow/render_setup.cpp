@@ -132,7 +132,7 @@ void check_crop(const PixelRect& crop, const Film& film) {
 RenderIdentity identity_of(const RenderCommand& command, const LoadedScene& loaded,
                            const SessionOptions& options) {
     RenderIdentity identity =
-        render_identity(loaded.scene, options, estimator_of(command).name, loaded.hash);
+        render_identity(loaded.scene, options, estimator_of(command), loaded.hash);
     const Film& film = loaded.scene.film;
     identity.picture = text_of(PictureSettings{scene_name(command), loaded.scene.render.packet,
                                                film.white_luminance, film.exposure,

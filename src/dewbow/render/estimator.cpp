@@ -9,9 +9,9 @@ namespace dewbow {
 const std::vector<EstimatorRow>& estimators() {
     static const std::vector<EstimatorRow> rows{
         {"path", "paths from the camera, whose wavelengths part at dispersive surfaces",
-         make_path_estimator},
+         make_path_estimator, path_settings},
         {"distributed_1989", "trees of rays, split into colours where they are first refracted",
-         make_distributed_1989_estimator},
+         make_distributed_1989_estimator, distributed_1989_settings},
     };
     return rows;
 }

@@ -50,6 +50,8 @@ struct EstimatorRow {
     std::string description;
     /// `scene` must outlive the estimator.
     std::unique_ptr<Estimator> (*make)(const Scene& scene);
+    /// The settings that its bits depend on, beside seed and samples.
+    std::string (*settings)(const RenderSettings& settings);
 };
 const std::vector<EstimatorRow>& estimators();
 

@@ -142,14 +142,16 @@ Image8 display_from_film(const FilmSums& film, const Film& settings,
     return image;
 }
 
-Attributes render_facts(const Scene& scene, const SessionResult& result,
-                        const std::string& scene_file) {
+Attributes render_facts(const Scene& scene, const RenderIdentity& identity,
+                        const SessionResult& result, const std::string& scene_file) {
     const PixelRect& crop = result.crop;
     const auto count = [](auto n) { return static_cast<std::int64_t>(n); };
     return {
         {"software", std::string("dewbow " DEWBOW_VERSION)},
         {"dewbow:fingerprint", fingerprint()},
         {"dewbow:scene", scene_file},
+        {"dewbow:estimator", identity.estimator},
+        {"dewbow:settings", identity.settings},
         {"dewbow:seed", std::to_string(scene.render.seed)},
         {"dewbow:samplesPerPixel", result.samples_per_pixel},
         {"dewbow:packet", count(scene.render.packet)},

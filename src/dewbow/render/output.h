@@ -21,10 +21,11 @@ Image image_from_film(const FilmSums& film, const Film& settings);
 Image8 display_from_film(const FilmSums& film, const Film& settings,
                          const DisplaySettings& display);
 
-/// The facts of a render that its files state: version, fingerprint, scene, seed, samples, packet,
-/// size, crop, stop reason, invalid samples, film hash, seconds, white luminance.
-Attributes render_facts(const Scene& scene, const SessionResult& result,
-                        const std::string& scene_file);
+/// The facts of a render that its files state: version, fingerprint, scene, estimator and its
+/// settings, seed, samples, packet, size, crop, stop reason, invalid samples, film hash, seconds,
+/// white luminance.
+Attributes render_facts(const Scene& scene, const RenderIdentity& identity,
+                        const SessionResult& result, const std::string& scene_file);
 
 /// Writes `path` in the format of its extension (.exr or .png), whole or not at all. The data of a
 /// film with a crop are the crop alone; `facts` say where it lies. Throws InputError.

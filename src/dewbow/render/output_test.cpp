@@ -116,7 +116,8 @@ TEST_F(Output, AnExrOfACropSaysWhereItLies) {
     result.samples_per_pixel = 256.0;
     result.invalid_samples = 3;
     result.film_hash = 0x0123456789abcdefu;
-    const Attributes facts = render_facts(scene, result, "a scene.toml");
+    const RenderIdentity identity = render_identity(scene, options, estimators().front(), 0);
+    const Attributes facts = render_facts(scene, identity, result, "a scene.toml");
     write_picture(folder_ / "out.exr", film, scene, {}, facts);
 
     const DecodedExr decoded = decode_exr(read_file(folder_ / "out.exr"), "out.exr");
@@ -130,6 +131,8 @@ TEST_F(Output, AnExrOfACropSaysWhereItLies) {
     EXPECT_EQ(text("dewbow:crop"), "2,1,4x3");
     EXPECT_EQ(text("dewbow:size"), "8x5");
     EXPECT_EQ(text("dewbow:scene"), "a scene.toml");
+    EXPECT_EQ(text("dewbow:estimator"), "path");
+    EXPECT_EQ(text("dewbow:settings"), identity.settings);
     EXPECT_EQ(text("dewbow:seed"), "18446744073709551615");
     EXPECT_EQ(text("dewbow:complete"), "true");
     EXPECT_EQ(text("dewbow:filmHash"), "0123456789abcdef");

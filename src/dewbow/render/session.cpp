@@ -300,18 +300,12 @@ SessionResult run_session(const Scene& scene, const Estimator& estimator,
 }
 
 RenderIdentity render_identity(const Scene& scene, const SessionOptions& options,
-                               const std::string& estimator, std::uint64_t scene_hash) {
+                               const EstimatorRow& estimator, std::uint64_t scene_hash) {
     const RenderSettings& settings = scene.render;
     RenderIdentity identity;
     identity.scene_hash = scene_hash;
-    identity.estimator = estimator;
-    identity.settings = "packet " + std::to_string(settings.packet) + ", max depth " +
-                        std::to_string(settings.max_depth) + ", roulette from " +
-                        std::to_string(settings.roulette_depth) + ", wavelengths " +
-                        (settings.wavelengths == WavelengthSampling::visual ? "visual" : "uniform");
-    if (estimator == "distributed_1989")
-        identity.settings = "max depth " + std::to_string(settings.max_depth) + ", " +
-                            text_of(settings.distributed_1989);
+    identity.estimator = estimator.name;
+    identity.settings = estimator.settings(settings);
     identity.seed = settings.seed;
     identity.samples_per_pixel = settings.samples_per_pixel;
     identity.film = film_layout(scene, options);

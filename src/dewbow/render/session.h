@@ -78,7 +78,7 @@ SessionResult run_session(const Estimator& estimator, const SessionOptions& opti
 /// What a render of `scene` is: its bits depend on nothing else. Throws InputError as make_film.
 /// @param scene_hash  of all that `scene` was made from.
 RenderIdentity render_identity(const Scene& scene, const SessionOptions& options,
-                               const std::string& estimator, std::uint64_t scene_hash);
+                               const EstimatorRow& estimator, std::uint64_t scene_hash);
 
 /// From the beginning to the end, and no state to keep: renders `scene.render.samples_per_pixel`
 /// samples of every pixel of the film's crop into `film`, which comes from make_film with the same

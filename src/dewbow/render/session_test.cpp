@@ -183,7 +183,7 @@ TEST(Session, NoiseStopsAtTheEndOfAPass) {
 // ---- resumed -----------------------------------------------------------------------------------
 
 RenderState begun_state(const Scene& scene) {
-    return RenderState(render_identity(scene, {}, "test", 0));
+    return RenderState(render_identity(scene, {}, estimators().front(), 0));
 }
 
 /// As a new process has it.

@@ -44,4 +44,9 @@ std::unique_ptr<Estimator> make_distributed_1989_estimator(const Scene& scene) {
     return std::make_unique<Distributed1989Estimator>(scene);
 }
 
+std::string distributed_1989_settings(const RenderSettings& settings) {
+    return "max depth " + std::to_string(settings.max_depth) + ", " +
+           text_of(settings.distributed_1989);
+}
+
 }  // namespace dewbow

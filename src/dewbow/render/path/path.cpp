@@ -38,4 +38,11 @@ std::unique_ptr<Estimator> make_path_estimator(const Scene& scene) {
     return std::make_unique<PathEstimator>(scene);
 }
 
+std::string path_settings(const RenderSettings& settings) {
+    return "packet " + std::to_string(settings.packet) + ", max depth " +
+           std::to_string(settings.max_depth) + ", roulette from " +
+           std::to_string(settings.roulette_depth) + ", wavelengths " +
+           (settings.wavelengths == WavelengthSampling::visual ? "visual" : "uniform");
+}
+
 }  // namespace dewbow

@@ -25,5 +25,6 @@ PixelSample trace_open_sample(const PreparedScene& prepared, const Ray& first, c
 
 /// `scene` must outlive the estimator.
 std::unique_ptr<Estimator> make_path_estimator(const Scene& scene);
+std::string path_settings(const RenderSettings& settings);
 
 }  // namespace dewbow
