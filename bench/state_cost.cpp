@@ -99,7 +99,7 @@ void measure_unit(const Estimator& estimator, RenderState& state, LiveState& liv
     start = cpu_seconds();
     FilmSums part = film_of(unit, state.film.layout());
     kept.add_to(part);
-    if (!live.finished(pass, tile)) live.hand_in(pass, tile, part);
+    if (!live.finished(pass, tile)) live.hand_in(pass, pass + 1, tile, part);
     costs.units_s += cpu_seconds() - start;
     ++costs.units;
 
