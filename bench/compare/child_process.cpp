@@ -61,8 +61,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
     return pointers;
 }
 
-/// Asks again and again how much memory a process has had at most. (What wait4 says of it is of no use: there a
-/// child begins with the peak of its parent.)
+/// Asks again and again how much memory a process has had at most. (What wait4 says of it is of no
+/// use: there a child begins with the peak of its parent.)
 class PeakMemory {
 public:
     explicit PeakMemory(pid_t process)
@@ -101,7 +101,8 @@ ChildUsage run_child(const std::vector<std::string>& words, const std::filesyste
 
     const auto start = std::chrono::steady_clock::now();
     pid_t child = 0;
-    const int failure = posix_spawn(&child, arguments[0], actions.get(), nullptr, arguments.data(), environment.data());
+    const int failure = posix_spawn(&child, arguments[0], actions.get(), nullptr, arguments.data(),
+                                    environment.data());
     if (failure != 0)
         throw InputError("cannot start '" + words[0] + "': " + std::strerror(failure));
     PeakMemory peak(child);
@@ -110,8 +111,7 @@ ChildUsage run_child(const std::vector<std::string>& words, const std::filesyste
     while (wait4(child, &status, 0, &usage) < 0)
         if (errno != EINTR) throw InputError("cannot wait for '" + words[0] + "'");
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count(),
-            peak.stop_MiB(),
+    return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count(), peak.stop_MiB(),
             WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status)};
 }
 

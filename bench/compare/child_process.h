@@ -10,14 +10,14 @@
 namespace dewbow::bench {
 
 struct ChildUsage {
-    double cpu_s = 0.0;           ///< user and system, of the process and those that it waited for
+    double cpu_s = 0.0;  ///< user and system, of the process and those that it waited for
     double wall_s = 0.0;
     double peak_memory_MiB = 0.0;  ///< resident, of the process; looked at every 5 ms
     int exit_code = 0;             ///< 128 + the signal's number if one ended it
 };
 
-/// Runs `words` (the program's path first) in `folder`, with nothing on standard input; what it says goes to
-/// `folder / "log.txt"`. Throws InputError if it cannot be started.
+/// Runs `words` (the program's path first) in `folder`, with nothing on standard input; what it
+/// says goes to `folder / "log.txt"`. Throws InputError if it cannot be started.
 ChildUsage run_child(const std::vector<std::string>& words, const std::filesystem::path& folder);
 
 /// The end of what a child in `folder` has said, for messages.

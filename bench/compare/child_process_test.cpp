@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "dewbow/base/error.h"
 #include "scratch_folder.h"
 

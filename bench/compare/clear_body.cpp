@@ -10,7 +10,8 @@
 namespace dewbow::bench {
 namespace {
 
-/// Corners in files have nine digits: how far they may lie off a plane, as a share of the body's size.
+/// Corners in files have nine digits: how far they may lie off a plane, as a share of the body's
+/// size.
 constexpr double kFlat = 1e-6;
 
 }  // namespace
@@ -86,9 +87,8 @@ std::optional<double> distance_to(const PlainLamp& lamp, Vec3 origin, Vec3 d) {
     const Vec3 from_centre = origin + d * distance - lamp.centre;
     const double u = dot(from_centre, lamp.half_u) / dot(lamp.half_u, lamp.half_u);
     const double v = dot(from_centre, lamp.half_v) / dot(lamp.half_v, lamp.half_v);
-    const bool inside = lamp.shape == LampShape::disc
-                            ? u * u + v * v <= 1.0
-                            : std::abs(u) <= 1.0 && std::abs(v) <= 1.0;
+    const bool inside = lamp.shape == LampShape::disc ? u * u + v * v <= 1.0
+                                                      : std::abs(u) <= 1.0 && std::abs(v) <= 1.0;
     return inside ? std::optional(distance) : std::nullopt;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Light through a convex clear body, in closed form: planes, Snell and Fresnel in double, and nothing that a
-// contestant uses.
+// Light through a convex clear body, in closed form: planes, Snell and Fresnel in double, and
+// nothing that a contestant uses.
 
 #include <optional>
 #include <vector>
@@ -23,7 +23,8 @@ Parting part(Vec3 d, Vec3 normal, double n);
 /// The faces of a convex body as planes.
 class ConvexFaces {
 public:
-    /// Throws InputError if a vertex lies outside the plane of any triangle by more than 1e-6 of the size.
+    /// Throws InputError if a vertex lies outside the plane of any triangle by more than 1e-6 of
+    /// the size.
     explicit ConvexFaces(const PlainBody& body);
 
     struct Crossing {

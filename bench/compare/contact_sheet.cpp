@@ -46,8 +46,7 @@ std::uint8_t code_value(double linear) {
 void put_picture(Image8& sheet, const Picture& picture, int scale, int left, int top) {
     for (int y = 0; y < picture.height * scale; ++y)
         for (int x = 0; x < picture.width * scale; ++x) {
-            const auto& pixel =
-                picture.pixels[std::size_t(y / scale * picture.width + x / scale)];
+            const auto& pixel = picture.pixels[std::size_t(y / scale * picture.width + x / scale)];
             const auto at = 3 * std::size_t((top + y) * sheet.width + left + x);
             for (std::size_t c = 0; c < 3; ++c) sheet.rgb[at + c] = code_value(pixel[c]);
         }
@@ -61,8 +60,8 @@ Image8 contact_sheet(const Measurements& all) {
     for (const SceneFacts& scene : all.scenes) {
         scenes.push_back(cells_of(all, scene));
         cell_width = std::max(cell_width, scene.truth.width);
-        cell_height = std::max(cell_height, scene.truth.height * scale_of(scene.truth) +
-                                                kCaptionLines * kLine);
+        cell_height = std::max(cell_height,
+                               scene.truth.height * scale_of(scene.truth) + kCaptionLines * kLine);
     }
     const auto rows_of = [](const std::vector<Cell>& cells) {
         return (int(cells.size()) + kColumns - 1) / kColumns;

@@ -8,8 +8,8 @@
 
 namespace dewbow::bench {
 
-/// For each scene the true picture and a picture of each result, as a screen shows them (clipped to sRGB), with their
-/// settings, CPU time and root mean square error below.
+/// For each scene the true picture and a picture of each result, as a screen shows them (clipped to
+/// sRGB), with their settings, CPU time and root mean square error below.
 Image8 contact_sheet(const Measurements& all);
 
 }  // namespace dewbow::bench

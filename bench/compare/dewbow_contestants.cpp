@@ -83,18 +83,18 @@ constexpr const char* kTable = "render.distributed_1989.";
 Method method_of_1989(const std::string& stem, SamplesLie lie) {
     Method method{stem, "distributed_1989", {}, std::string(kTable) + "samples"};
     switch (lie) {
-    case SamplesLie::fixed:
-        method.name += "-fixed";
-        method.settings = {"jitter=\"none\""};
-        break;
-    case SamplesLie::jittered:
-        method.name += "-jittered";
-        method.settings = {"jitter=\"both\""};
-        break;
-    case SamplesLie::correlated:
-        method.name += "-correlated";
-        method.settings = {"jitter=\"both\"", "correlated=true"};
-        break;
+        case SamplesLie::fixed:
+            method.name += "-fixed";
+            method.settings = {"jitter=\"none\""};
+            break;
+        case SamplesLie::jittered:
+            method.name += "-jittered";
+            method.settings = {"jitter=\"both\""};
+            break;
+        case SamplesLie::correlated:
+            method.name += "-correlated";
+            method.settings = {"jitter=\"both\"", "correlated=true"};
+            break;
     }
     return method;
 }

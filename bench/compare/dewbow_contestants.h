@@ -14,7 +14,8 @@ enum class SamplesLie { fixed, jittered, correlated };
 /// The paper's colours, index, transport and sum.
 template <SamplesLie lie>
 std::unique_ptr<Contestant> find_published_1989(const Programs& programs);
-/// The same sampling with the true colours, index, reflectances and spectral transport, and no limit to the sum.
+/// The same sampling with the true colours, index, reflectances and spectral transport, and no
+/// limit to the sum.
 template <SamplesLie lie>
 std::unique_ptr<Contestant> find_corrected_1989(const Programs& programs);
 

@@ -19,8 +19,7 @@ std::optional<double> ErrorCurve::error_at(double time_s) const {
         if (i == 0) return std::nullopt;
         const CurvePoint& left = points_[i - 1];
         if (!(left.error > 0.0 && right.error > 0.0 && left.time_s > 0.0)) return std::nullopt;
-        const double share =
-            std::log(time_s / left.time_s) / std::log(right.time_s / left.time_s);
+        const double share = std::log(time_s / left.time_s) / std::log(right.time_s / left.time_s);
         return left.error * std::pow(right.error / left.error, share);
     }
     return std::nullopt;

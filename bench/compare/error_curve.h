@@ -12,8 +12,8 @@ struct CurvePoint {
     double time_s = 0.0, error = 0.0;
 };
 
-/// Points by rising time. Straight between two of them in logarithms of both; where an error is 0, and beyond the
-/// first and the last point, there is nothing: what was not measured is not claimed.
+/// Points by rising time. Straight between two of them in logarithms of both; where an error is 0,
+/// and beyond the first and the last point, there is nothing: what was not measured is not claimed.
 class ErrorCurve {
 public:
     explicit ErrorCurve(std::vector<CurvePoint> points);

@@ -15,11 +15,11 @@
 namespace dewbow::bench {
 namespace {
 
-/// Wavelengths that are told apart: neighbours are 0.1 nm apart in the green, which moves no edge of the
-/// scenes by a thousandth of a pixel.
+/// Wavelengths that are told apart: neighbours are 0.1 nm apart in the green, which moves no edge
+/// of the scenes by a thousandth of a pixel.
 constexpr std::size_t kWavelengths = 4096;
-/// A chain ends where less than this share of its light is left: lamps of 16 times white are missed by less than
-/// 2e-4 of white,
+/// A chain ends where less than this share of its light is left: lamps of 16 times white are missed
+/// by less than 2e-4 of white,
 constexpr double kLeastShare = 1e-5;
 /// or after so many faces, if all is reflected for ever.
 constexpr int kMostFaces = 1000;
@@ -28,8 +28,9 @@ constexpr int kMostFaces = 1000;
 struct Band {
     double n = 1.0;  ///< of the body against its surroundings
     double surroundings = 0.0;
-    std::vector<double> lamps;       ///< radiances, in the order of the scene's
-    Colour<LinearSrgb> film_weight;  ///< of a radiance, divided by the probability of the wavelength
+    std::vector<double> lamps;  ///< radiances, in the order of the scene's
+    Colour<LinearSrgb>
+        film_weight;  ///< of a radiance, divided by the probability of the wavelength
 };
 
 Band band_at(const PlainScene& scene, double lambda_nm, double pdf_per_nm) {
@@ -126,9 +127,9 @@ private:
     ConvexFaces faces_;
 };
 
-/// Steps over the pixel, whose points lie evenly in a square: powers of 1/g, g³ = g + 1. Wavelengths are even by
-/// themselves, since they are strata in their order.
-/// [Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"]
+/// Steps over the pixel, whose points lie evenly in a square: powers of 1/g, g³ = g + 1.
+/// Wavelengths are even by themselves, since they are strata in their order. [Roberts 2018, "The
+/// unreasonable effectiveness of quasirandom sequences"]
 constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
 
 double fraction(double x) { return x - std::floor(x); }
@@ -169,8 +170,7 @@ std::vector<bool> pixels_of_lamp(const PlainScene& scene, const std::string& nam
     const ChainTracer tracer(scene);
     const PlainCamera& camera = scene.camera;
     const auto shows = [&](double x, double y) {
-        const auto lamp =
-            tracer.lamp_before_all(camera.eye, normalised(camera.direction(x, y)));
+        const auto lamp = tracer.lamp_before_all(camera.eye, normalised(camera.direction(x, y)));
         return lamp < scene.lamps.size() && scene.lamps[lamp].name == name;
     };
     std::vector<bool> pixels;

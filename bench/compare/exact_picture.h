@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The true picture of a plain scene, by a way that no contestant goes: all that a camera ray becomes in a convex
-// body is one chain (at each face a part leaves, the rest stays), which is summed and not sampled; what is left to
-// integrate is the pixel's square and the wavelength.
+// The true picture of a plain scene, by a way that no contestant goes: all that a camera ray
+// becomes in a convex body is one chain (at each face a part leaves, the rest stays), which is
+// summed and not sampled; what is left to integrate is the pixel's square and the wavelength.
 
 #include "picture.h"
 #include "plain_scene.h"

@@ -9,8 +9,7 @@
 namespace dewbow::bench {
 namespace {
 
-const std::filesystem::path kScenes =
-    std::filesystem::path(DEWBOW_SOURCE_DIR) / "bench" / "scenes";
+const std::filesystem::path kScenes = std::filesystem::path(DEWBOW_SOURCE_DIR) / "bench" / "scenes";
 constexpr double kRounding = 1e-12;
 /// Chains are cut where 1e-5 of the light is left.
 constexpr double kCut = 1.1e-5;
@@ -37,14 +36,15 @@ PlainScene before_lamp(PlainBody body) {
 PlainBody cube(double half) {
     PlainBody body;
     for (int corner = 0; corner < 8; ++corner)
-        body.vertices.push_back({corner & 1 ? half : -half, corner & 2 ? half : -half,
-                                 corner & 4 ? half : -half});
+        body.vertices.push_back(
+            {corner & 1 ? half : -half, corner & 2 ? half : -half, corner & 4 ? half : -half});
     body.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
     return body;
 }
 
-// Light that goes to and fro in a plate: T = (1 − R)² (1 + R² + R⁴ + …) = (1 − R)/(1 + R), R = 0.04 for n = 1.5.
+// Light that goes to and fro in a plate: T = (1 − R)² (1 + R² + R⁴ + …) = (1 − R)/(1 + R), R = 0.04
+// for n = 1.5.
 TEST(ExactPicture, PlateLetsThroughWhatTheSeriesSays) {
     const PlainScene scene = before_lamp(cube(1.0));
     EXPECT_NEAR(exact_radiance(scene, 1.0, 1.0, 550.0), 0.96 / 1.04, kCut);
@@ -87,7 +87,8 @@ TEST(ExactPicture, PrismDeviatesAsItsFormulaSays) {
     EXPECT_NEAR(std::acos(dot(d, out.refracted)), deviation, kRounding);
 }
 
-// Brewster: at tan i = n nothing of the parallel polarisation is reflected, so that R = sin²(i − r)/2 = cos²(2i)/2.
+// Brewster: at tan i = n nothing of the parallel polarisation is reflected, so that R = sin²(i −
+// r)/2 = cos²(2i)/2.
 TEST(ExactPicture, ReflectanceAtBrewstersAngle) {
     const double i = std::atan(1.5), c = std::cos(2.0 * i);
     const Parting parting = part({std::sin(i), -std::cos(i), 0}, {0, 1, 0}, 1.5);
@@ -100,7 +101,8 @@ TEST(ExactPicture, TheLampOfTheFilmsWhiteIsWhite) {
     const Picture picture = exact_picture(bench.plain, 512, 1);
     const std::vector<bool> card = pixels_of_lamp(bench.plain, "card");
     int pixels = 0;
-    /// Half a stratum of 512 by which all are shifted at most, times the range of the integrand, about 2.5.
+    /// Half a stratum of 512 by which all are shifted at most, times the range of the integrand,
+    /// about 2.5.
     constexpr double kQuadrature = 2.5e-3;
     for (std::size_t i = 0; i < card.size(); ++i) {
         if (!card[i]) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Error at equal time: named scenes, each contestant that is found, several numbers of samples. See docs/bench.md.
+// Error at equal time: named scenes, each contestant that is found, several numbers of samples. See
+// docs/bench.md.
 
 #include <CLI/CLI.hpp>
 
@@ -40,7 +41,8 @@ void add_options(CLI::App& app, Options& options) {
                    "Who runs; default: all that are found (see --list)")
         ->delimiter(',');
     app.add_option("--program", options.program_words,
-                   "NAME=FILE: where a contestant's program is, if not on the PATH (dewbow: beside this one); repeatable");
+                   "NAME=FILE: where a contestant's program is, if not on the PATH (dewbow: beside "
+                   "this one); repeatable");
     app.add_option("--size", options.size, "WxH, pixels")->capture_default_str();
     app.add_option("--spp", plan.samples_per_pixel,
                    "Samples a pixel of contestants that do not split rays")

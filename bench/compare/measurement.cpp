@@ -71,8 +71,7 @@ PictureErrors median_errors(const std::vector<const Run*>& runs,
                             const std::function<const PictureErrors&(const Run&)>& of) {
     PictureErrors errors;
     for (const ErrorKind& kind : error_kinds())
-        errors.*kind.value =
-            median_of(runs, [&](const Run& run) { return of(run).*kind.value; });
+        errors.*kind.value = median_of(runs, [&](const Run& run) { return of(run).*kind.value; });
     return errors;
 }
 
@@ -157,8 +156,7 @@ private:
     }
 
     void measure_start_up(const Contestant& contestant) {
-        const BenchScene tiny =
-            load_bench_scene(scene_.file, kStartUpSize, kStartUpSize);
+        const BenchScene tiny = load_bench_scene(scene_.file, kStartUpSize, kStartUpSize);
         const Knobs knobs{contestant.splits_spectrum() ? plan_.spectral_samples.front() : 0,
                           contestant.possible_samples_per_pixel(1), 1};
         std::vector<double> cpu_s;
@@ -267,7 +265,8 @@ std::string label_of(const std::string& contestant, const Knobs& knobs) {
 }
 
 BenchScene load_bench_scene(const std::filesystem::path& file, int width, int height) {
-    BenchScene bench{file.stem().string(), std::filesystem::absolute(file), load_scene(file).scene, {}};
+    BenchScene bench{
+        file.stem().string(), std::filesystem::absolute(file), load_scene(file).scene, {}};
     bench.scene.film.width = width;
     bench.scene.film.height = height;
     bench.plain = plain_scene(bench.scene);
@@ -278,7 +277,8 @@ Measurements measure(const std::vector<BenchScene>& scenes,
                      const std::vector<ContestantPtr>& contestants, const Plan& plan,
                      const std::function<void(const std::string&)>& say) {
     Measurements all;
-    for (const auto& contestant : contestants) all.versions[contestant->name()] = contestant->version();
+    for (const auto& contestant : contestants)
+        all.versions[contestant->name()] = contestant->version();
     for (const BenchScene& scene : scenes)
         SceneMeasurement(scene, contestants, plan, say, all).run();
     return all;

@@ -42,7 +42,8 @@ struct Run {
     ChildUsage usage;
     double load = 0.0;  ///< load average of the machine when it began
     std::vector<MaskErrors> errors{};
-    Colour<LinearSrgb> card{};  ///< mean where the white card is seen: (1, 1, 1) if brightness is right
+    Colour<LinearSrgb>
+        card{};  ///< mean where the white card is seen: (1, 1, 1) if brightness is right
 };
 
 /// All repeats of one contestant with one setting; medians.
@@ -63,10 +64,11 @@ struct Result {
 struct SceneFacts {
     std::string name;
     Picture truth;
-    PictureErrors truth_own;                      ///< error of the truth itself, whole picture
-    std::map<std::string, double> mask_share;     ///< share of the pixels
-    std::map<std::string, PictureErrors> limit_error;  ///< by limit_name: the limit against the truth
-    std::vector<std::string> left_out;            ///< runs that would have taken too long or failed, in words
+    PictureErrors truth_own;                   ///< error of the truth itself, whole picture
+    std::map<std::string, double> mask_share;  ///< share of the pixels
+    std::map<std::string, PictureErrors>
+        limit_error;                    ///< by limit_name: the limit against the truth
+    std::vector<std::string> left_out;  ///< runs that would have taken too long or failed, in words
 };
 
 struct Measurements {
@@ -78,8 +80,9 @@ struct Measurements {
 
 using ContestantPtr = std::unique_ptr<Contestant>;
 
-/// Runs all contestants on all scenes. They take turns, from few samples to many, and every other repeat in reverse, so
-/// that what else the machine does falls on all. `say` is told what is going on.
+/// Runs all contestants on all scenes. They take turns, from few samples to many, and every other
+/// repeat in reverse, so that what else the machine does falls on all. `say` is told what is going
+/// on.
 Measurements measure(const std::vector<BenchScene>& scenes,
                      const std::vector<ContestantPtr>& contestants, const Plan& plan,
                      const std::function<void(const std::string&)>& say);

@@ -11,8 +11,7 @@
 namespace dewbow::bench {
 namespace {
 
-const std::filesystem::path kScenes =
-    std::filesystem::path(DEWBOW_SOURCE_DIR) / "bench" / "scenes";
+const std::filesystem::path kScenes = std::filesystem::path(DEWBOW_SOURCE_DIR) / "bench" / "scenes";
 constexpr int kSize = 16;
 
 Programs our_programs() {
@@ -47,8 +46,8 @@ TEST_F(Smoke, MoreSamplesCostMoreAndErrLess) {
     const Result &few = all.results[0], &many = all.results[1];
     EXPECT_GT(few.cpu_s, 0.0);
     EXPECT_GT(few.memory_MiB, 1.0);
-    // Sixteen times the samples of a method that is unbiased: MSE falls sixteenfold, and by more thanks to
-    // stratification.
+    // Sixteen times the samples of a method that is unbiased: MSE falls sixteenfold, and by more
+    // thanks to stratification.
     EXPECT_LT(many.over("whole").truth.mse, few.over("whole").truth.mse / 4.0);
     EXPECT_LT(many.over("whole").truth.flip, few.over("whole").truth.flip);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(many.card[c], 1.0, 0.02);
@@ -75,9 +74,10 @@ TEST_F(Smoke, ReferencesAreKept) {
     EXPECT_EQ(files().size(), 4u);
 }
 
-/// Mean of (a − s)(b − t), over the mean of (a − s)²: where pictures a, b and truths s, t have independent noise its
-/// expectation is 0, and what both pictures have wrong remains. The bound is five standard deviations of what noise
-/// alone does (0.12 over 40 pairs of seeds in the worst of disc, slit and slab): one false alarm in 10⁶.
+/// Mean of (a − s)(b − t), over the mean of (a − s)²: where pictures a, b and truths s, t have
+/// independent noise its expectation is 0, and what both pictures have wrong remains. The bound is
+/// five standard deviations of what noise alone does (0.12 over 40 pairs of seeds in the worst of
+/// disc, slit and slab): one false alarm in 10⁶.
 constexpr double kCommonError = 0.6;
 double common_error(const Picture& a, const Picture& b, const Picture& s, const Picture& t) {
     double common = 0.0, square = 0.0;

@@ -112,10 +112,11 @@ std::vector<NamedMask> make_masks(const Picture& reference) {
     /// Coloured: the channels lie further apart than this share of the largest, which is not dark.
     constexpr double kApart = 0.05, kDark = 0.02;
     NamedMask whole{"whole", "all pixels", Mask(reference.pixels.size(), true)};
-    NamedMask coloured{"coloured",
-                       "pixels whose reference has a channel above 2 % of white, and channels that differ by "
-                       "more than 5 % of the largest",
-                       {}};
+    NamedMask coloured{
+        "coloured",
+        "pixels whose reference has a channel above 2 % of white, and channels that differ by "
+        "more than 5 % of the largest",
+        {}};
     for (const Colour<LinearSrgb>& pixel : reference.pixels) {
         const auto [low, high] = std::minmax_element(pixel.v.begin(), pixel.v.end());
         coloured.mask.push_back(*high > kDark && *high - *low > kApart * *high);

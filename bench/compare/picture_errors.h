@@ -29,22 +29,24 @@ inline constexpr double kTrimmedShare = 1e-3;
 struct ErrorKind {
     std::string name;
     double PictureErrors::*value;
-    bool squared;  ///< errors of independent pictures add up, so that the reference's can be taken away
+    bool squared;  ///< errors of independent pictures add up, so that the reference's can be taken
+                   ///< away
 };
 const std::vector<ErrorKind>& error_kinds();
 
 /// A reference of two independent halves.
 struct Reference {
     Picture mean;
-    Picture half_difference;  ///< half of the halves' difference: about as large as the error of `mean`
+    Picture
+        half_difference;  ///< half of the halves' difference: about as large as the error of `mean`
 };
 /// Throws InputError if the sizes differ.
 Reference make_reference(const Picture& first, const Picture& second);
 /// Errors of the reference itself, as far as they are squares; others are 0.
 PictureErrors own_errors(const Reference& reference, const Mask& mask);
 
-/// A picture beside a reference. Throws InputError if the sizes differ. Values that are not finite count as
-/// infinite errors.
+/// A picture beside a reference. Throws InputError if the sizes differ. Values that are not finite
+/// count as infinite errors.
 class Comparison {
 public:
     Comparison(const Picture& picture, const Reference& reference);

@@ -63,8 +63,8 @@ TEST(PictureErrors, CountOnlyTheMask) {
     EXPECT_EQ(Comparison(picture, perfect(reference)).errors(Mask(16, false)).flip, 0.0);
 }
 
-// Halves at ±e around the truth: their difference says that the mean is e² off, which is more than it is here; of
-// noise that is independent in both it is right, and the expected error of the mean.
+// Halves at ±e around the truth: their difference says that the mean is e² off, which is more than
+// it is here; of noise that is independent in both it is right, and the expected error of the mean.
 TEST(PictureErrors, TheReferencesOwnErrorIsTakenAway) {
     const Picture first = even(8, 8, {{0.6, 0.6, 0.6}}), second = even(8, 8, {{0.4, 0.4, 0.4}});
     const Reference reference = make_reference(first, second);

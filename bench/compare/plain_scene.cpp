@@ -37,7 +37,8 @@ PlainCamera plain_camera(const Scene& scene) {
 
 /// A body's corners in its own frame.
 PlainBody corners_of(const std::shared_ptr<const Mesh>& mesh) {
-    if (!mesh->normals.empty()) refuse("facets are flat, but mesh '" + mesh->name + "' has normals");
+    if (!mesh->normals.empty())
+        refuse("facets are flat, but mesh '" + mesh->name + "' has normals");
     PlainBody body;
     for (const Point<Object>& vertex : mesh->vertices) body.vertices.push_back(vertex.v);
     body.triangles = mesh->triangles;
@@ -49,8 +50,7 @@ PlainBody corners_of(const Box& box) {
                  z = 0.5 * box.depth.to(unit::m);
     PlainBody body;
     for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7})
-        body.vertices.push_back(
-            {corner & 1 ? x : -x, corner & 2 ? y : -y, corner & 4 ? z : -z});
+        body.vertices.push_back({corner & 1 ? x : -x, corner & 2 ? y : -y, corner & 4 ? z : -z});
     body.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
     return body;

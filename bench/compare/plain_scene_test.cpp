@@ -12,15 +12,15 @@
 namespace dewbow::bench {
 namespace {
 
-const std::filesystem::path kScenes =
-    std::filesystem::path(DEWBOW_SOURCE_DIR) / "bench" / "scenes";
+const std::filesystem::path kScenes = std::filesystem::path(DEWBOW_SOURCE_DIR) / "bench" / "scenes";
 constexpr double kRounding = 1e-9;
 
 BenchScene load(const std::string& name) {
     return load_bench_scene(kScenes / (name + ".toml"), 40, 20);
 }
 
-/// By the divergence theorem: positive if the triangles face outwards, and too small if one is missing.
+/// By the divergence theorem: positive if the triangles face outwards, and too small if one is
+/// missing.
 double volume_m3(const PlainBody& body) {
     double six_volumes = 0.0;
     for (const auto& t : body.triangles)
@@ -30,8 +30,8 @@ double volume_m3(const PlainBody& body) {
 
 TEST(PlainScene, BodiesAreClosedAndFaceOutwards) {
     // Prism: side² sin(apex)/2 × length; slab: its three sides.
-    EXPECT_NEAR(volume_m3(load("disc").plain.body), 0.5 * 2.0 * 2.0 * std::sin(std::numbers::pi / 3.0) * 4.0,
-                kRounding);
+    EXPECT_NEAR(volume_m3(load("disc").plain.body),
+                0.5 * 2.0 * 2.0 * std::sin(std::numbers::pi / 3.0) * 4.0, kRounding);
     EXPECT_NEAR(volume_m3(load("slab").plain.body), 4.0 * 4.0 * 0.6, kRounding);
 }
 

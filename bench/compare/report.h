@@ -21,11 +21,12 @@ struct Circumstances {
 /// Markdown: circumstances, the summary, and a table for each scene.
 std::string report_of(const Measurements& all, const Plan& plan, const Circumstances& where);
 
-/// Part of it: what `path` has of the errors of the others at equal time and at 16 times that, and what jitter and
-/// correlation buy.
+/// Part of it: what `path` has of the errors of the others at equal time and at 16 times that, and
+/// what jitter and correlation buy.
 std::string summary_of(const Measurements& all);
 
-/// SVG: error over CPU time against the truth, against contestants' own limits, of the coloured pixels, and FLIP.
+/// SVG: error over CPU time against the truth, against contestants' own limits, of the coloured
+/// pixels, and FLIP.
 std::string plot_of(const Measurements& all, const SceneFacts& scene);
 
 /// One JSON object a line: circumstances, scenes, runs.

@@ -41,7 +41,8 @@ PlotPanel panel_of(const std::string& title, const std::string& unit, const Curv
                    const std::map<std::string, std::size_t>& colours) {
     PlotPanel panel;
     panel.title = title;
-    double low_x = std::numeric_limits<double>::infinity(), high_x = 0.0, low_y = low_x, high_y = 0.0;
+    double low_x = std::numeric_limits<double>::infinity(), high_x = 0.0, low_y = low_x,
+           high_y = 0.0;
     for (const auto& [key, points] : curves) {
         PlotCurve curve;
         curve.label = key.spectral_samples == 0

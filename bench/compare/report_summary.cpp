@@ -51,11 +51,14 @@ std::string aim_sentences(const Measurements& all, const SceneFacts& scene) {
                                share_of(path.error_at(rival.cpu_s), mse), kPatience,
                                share_of(path.error_at(kPatience * rival.cpu_s), mse));
         };
-        text += fmt::format("* **{}**: at the {:.3g} s of CPU that {} takes for {} samples ({} spp) {} has this part of its error: {}",
-                            scene.name, rival.cpu_s, kRival, kCarefulSplit,
-                            rival.knobs.samples_per_pixel, kPath, shares(errors.truth.mse));
+        text += fmt::format(
+            "* **{}**: at the {:.3g} s of CPU that {} takes for {} samples ({} spp) {} has this "
+            "part of its error: {}",
+            scene.name, rival.cpu_s, kRival, kCarefulSplit, rival.knobs.samples_per_pixel, kPath,
+            shares(errors.truth.mse));
         if (errors.limit)
-            text += fmt::format("; and of its error against its own limit: {}", shares(errors.limit->mse));
+            text += fmt::format("; and of its error against its own limit: {}",
+                                shares(errors.limit->mse));
         text += ".\n";
     }
     return text;
@@ -90,10 +93,13 @@ std::string equal_time(const Measurements& all) {
     for (const SceneFacts& scene : all.scenes) rows += equal_time_rows(all, scene);
     if (rows.empty()) return {};
     return fmt::format(
-               "What `{}` has of the error of others: root mean square error, over theirs, at their CPU time and at {:.0f} times "
-               "that, on the measured curve (nothing beyond its ends). A contestant with N takes {}. *Own limit*: the "
+               "What `{}` has of the error of others: root mean square error, over theirs, at "
+               "their CPU time and at {:.0f} times "
+               "that, on the measured curve (nothing beyond its ends). A contestant with N takes "
+               "{}. *Own limit*: the "
                "other's error without that of its model, against `{}`'s whole error.\n\n"
-               "| scene | other | its error against | RMSE | at equal time | less start-up | at {:.0f} × | less start-up "
+               "| scene | other | its error against | RMSE | at equal time | less start-up | at "
+               "{:.0f} × | less start-up "
                "|\n|---|---|---|---|---|---|---|---|\n",
                kPath, kPatience, kCarefulSplit, kPath, kPatience) +
            rows;
@@ -124,10 +130,9 @@ std::string jitter(const Measurements& all) {
         const std::size_t stem = fixed.contestant.rfind(kFixed);
         if (stem == std::string::npos) continue;
         const std::string name = fixed.contestant.substr(0, stem);
-        std::string row =
-            fmt::format("| {} | {} | {} | {} | {:.3g} |", fixed.scene, name,
-                        fixed.knobs.spectral_samples, fixed.knobs.samples_per_pixel,
-                        std::sqrt(own_mse(fixed)));
+        std::string row = fmt::format("| {} | {} | {} | {} | {:.3g} |", fixed.scene, name,
+                                      fixed.knobs.spectral_samples, fixed.knobs.samples_per_pixel,
+                                      std::sqrt(own_mse(fixed)));
         bool alone = true;
         for (const char* way : kWays) {
             const Result* other = find_result(all, fixed, name + way);
@@ -139,8 +144,10 @@ std::string jitter(const Measurements& all) {
         if (!alone) rows += row + '\n';
     }
     if (rows.empty()) return {};
-    return "\nWhat jitter and correlation buy: root mean square error of the coloured pixels over that of fixed samples, at equal N and samples; "
-           "against the method's own limit where its model is not the true one. *Time*: CPU, less start-up, over "
+    return "\nWhat jitter and correlation buy: root mean square error of the coloured pixels over "
+           "that of fixed samples, at equal N and samples; "
+           "against the method's own limit where its model is not the true one. *Time*: CPU, less "
+           "start-up, over "
            "that of fixed samples.\n\n"
            "| scene | method | N | spp | RMSE, fixed | jittered | time | correlated | time "
            "|\n|---|---|---|---|---|---|---|---|---|\n" +

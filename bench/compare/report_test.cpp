@@ -37,8 +37,10 @@ TEST(Report, AimIsReadOffTheCurve) {
     all.results.push_back(result_of("pov-ray", {31, 4, 0}, 1.0, 0.16));
     all.results.back().errors[0].limit = of_mse(0.04);
     const std::string summary = summary_of(all);
-    EXPECT_NE(summary.find("at the 1 s of CPU that pov-ray takes for 31 samples (4 spp) path has this part of its error: "
-                           "0.250, and at 16 times that time 0.062; and of its error against its own limit: 0.500, and at "
+    EXPECT_NE(summary.find("at the 1 s of CPU that pov-ray takes for 31 samples (4 spp) path has "
+                           "this part of its error: "
+                           "0.250, and at 16 times that time 0.062; and of its error against its "
+                           "own limit: 0.500, and at "
                            "16 times that time 0.125."),
               std::string::npos)
         << summary;

@@ -71,10 +71,11 @@ Picture kept(const std::filesystem::path& path, const Make& make) {
     return picture;
 }
 
-/// @param equal  the seed makes no difference: one half will do, and the reference does not know its own error.
+/// @param equal  the seed makes no difference: one half will do, and the reference does not know
+/// its own error.
 template <class Make>
-Reference two_halves(const std::filesystem::path& folder, const std::string& name,
-                     bool equal, const Make& make) {
+Reference two_halves(const std::filesystem::path& folder, const std::string& name, bool equal,
+                     const Make& make) {
     const auto half = [&](int number, std::uint64_t seed) {
         return kept(folder / fmt::format("{}-{}.exr", name, number), [&] { return make(seed); });
     };
@@ -95,8 +96,9 @@ Knobs limit_knobs(const Contestant& contestant, const ReferenceSettings& setting
 Reference true_picture(const BenchScene& scene, const ReferenceSettings& settings) {
     const int samples = settings.truth_samples;
     const std::string key = key_of(scene.plain).text();
-    return two_halves(settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples), false,
-                      [&](std::uint64_t seed) { return exact_picture(scene.plain, samples, seed); });
+    return two_halves(
+        settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples), false,
+        [&](std::uint64_t seed) { return exact_picture(scene.plain, samples, seed); });
 }
 
 Reference own_limit(const BenchScene& scene, const Contestant& contestant,
@@ -118,9 +120,8 @@ Reference own_limit(const BenchScene& scene, const Contestant& contestant,
     Key key = key_of(scene.plain);
     key.add(read_file(program)).add(contestant.version());
     return two_halves(settings.folder,
-                      fmt::format("{}-{}-{}-{}-{}", scene.name, key.text(),
-                                  contestant.limit_name(), knobs.spectral_samples,
-                                  knobs.samples_per_pixel),
+                      fmt::format("{}-{}-{}-{}-{}", scene.name, key.text(), contestant.limit_name(),
+                                  knobs.spectral_samples, knobs.samples_per_pixel),
                       !contestant.uses_seed(), render);
 }
 
