@@ -183,7 +183,7 @@ private:
         knobs.seed = std::uint64_t(repeat) + 1;
         const Order order{scene_, knobs, plan_.threads, folder.path()};
         try {
-            Run run{scene_.name, arm.contestant->name(), arm.knobs, repeat, {}, load_average()};
+            Run run{scene_.name, arm.contestant->name(), knobs, repeat, {}, load_average()};
             run.usage = run_child(arm.contestant->write(order), folder.path());
             if (run.usage.exit_code != 0)
                 throw InputError(fmt::format("{} ended with {}: {}", label, run.usage.exit_code,

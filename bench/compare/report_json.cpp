@@ -21,6 +21,7 @@ Json json_of(const Run& run) {
                  {"spectral_samples", run.knobs.spectral_samples},
                  {"samples_per_pixel", run.knobs.samples_per_pixel},
                  {"repeat", run.repeat},
+                 {"seed", run.knobs.seed},
                  {"cpu_s", run.usage.cpu_s},
                  {"wall_s", run.usage.wall_s},
                  {"peak_memory_MiB", run.usage.peak_memory_MiB},
