@@ -146,11 +146,25 @@ PlotPanel white_noise_panel() {
     return panel;
 }
 
+/// From which spread N samples show, over all widths of the source.
+void print_thresholds(const PlotPanel& map) {
+    std::printf("%s\n", map.title.c_str());
+    for (const PlotCurve& curve : map.curves) {
+        const auto [least, most] = std::minmax_element(
+            curve.points.begin(), curve.points.end(),
+            [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
+        std::printf("    %3s samples show from a spread of %.1f' to %.1f'\n", curve.label.c_str(),
+                    least->y, most->y);
+    }
+}
+
 void run(const std::string& table, const std::string& plot) {
     write_file_atomically(table, csv());
     const std::array<PlotPanel, 3> panels{
         map_panel("Below its line, N fixed samples do not show", kFinePixel),
-        map_panel("In a picture of 512 lines over 40°", kPixelOf1989), white_noise_panel()};
+        map_panel("The same in a picture of 512 lines over 40°", kPixelOf1989),
+        white_noise_panel()};
+    for (const PlotPanel& map : {panels[0], panels[1]}) print_thresholds(map);
     write_file_atomically(plot, svg_of(panels));
 }
 
