@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <set>
 
 #include "child_process.h"
 #include "dewbow/base/error.h"
@@ -91,6 +92,26 @@ Knobs limit_knobs(const Contestant& contestant, const ReferenceSettings& setting
     return {0, contestant.possible_samples_per_pixel(splits * spp), 0};
 }
 
+/// What the contestant is told, all but the seed, and the bytes of its program.
+Key key_of(const BenchScene& scene, const Contestant& contestant, const Knobs& knobs) {
+    const ScratchFolder folder;
+    const std::vector<std::string> words = contestant.write({scene, knobs, 1, folder.path()});
+    Key key = key_of(scene.plain);
+    key.add(read_file(words.front())).add(contestant.version());
+    const auto add_without_folder = [&](std::string text) {
+        const std::string name = folder.path().string();
+        for (auto at = text.find(name); at != std::string::npos; at = text.find(name))
+            text.erase(at, name.size());
+        key.add(text);
+    };
+    for (const std::string& word : words) add_without_folder(word);
+    std::set<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder.path()))
+        if (file.is_regular_file()) files.insert(file.path());
+    for (const auto& file : files) add_without_folder(read_file(file));
+    return key;
+}
+
 }  // namespace
 
 Reference true_picture(const BenchScene& scene, const ReferenceSettings& settings) {
@@ -115,10 +136,7 @@ Reference own_limit(const BenchScene& scene, const Contestant& contestant,
                                          log_tail(folder.path())));
         return contestant.read(order);
     };
-    const ScratchFolder folder;
-    const std::string program = contestant.write({scene, knobs, 1, folder.path()}).front();
-    Key key = key_of(scene.plain);
-    key.add(read_file(program)).add(contestant.version());
+    const Key key = key_of(scene, contestant, knobs);
     return two_halves(settings.folder,
                       fmt::format("{}-{}-{}-{}-{}", scene.name, key.text(), contestant.limit_name(),
                                   knobs.spectral_samples, knobs.samples_per_pixel),

@@ -24,8 +24,8 @@ struct ReferenceSettings {
 /// of the size or of the samples makes another file.
 Reference true_picture(const BenchScene& scene, const ReferenceSettings& settings);
 
-/// What `contestant` converges to; also keyed by the bytes of its program. Throws InputError if its
-/// program fails.
+/// What `contestant` converges to; also keyed by what it is told and the bytes of its program.
+/// Throws InputError if its program fails.
 Reference own_limit(const BenchScene& scene, const Contestant& contestant,
                     const ReferenceSettings& settings);
 
