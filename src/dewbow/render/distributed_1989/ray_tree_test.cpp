@@ -237,6 +237,40 @@ TEST(RayTree, RoughSurfacesGiveEachOtherNothing) {
     expect_grey(Eye(scene).see({{0, 0, 1}, {0, 0, -1}, {}}), 0.0, 0.0);  // in the shadow
 }
 
+TEST(RayTree, PanesAndFacetsGiveToOneWayWhatTheyTakeFromTheOther) {
+    Scene pane = make_empty_scene();
+    pane.lights.push_back(UniformEnvironment{find_illuminant("D65")});
+    Scene frosted = slab_in_light(1.0);
+    add(pane, Rectangle{9.0 * m, 9.0 * m}, {"pane", ThinDielectric{flint()->index}});
+    expect_grey(Eye(pane).see(kAskew), 1.0, kWhiteByQuadrature);
+
+    // Light that facets hide from each other is lost: 6 % at most of once through.
+    constexpr double kLost = 0.06;
+    std::get<Dielectric>(frosted.materials[0].surface).roughness = 0.3;
+    frosted.render.distributed_1989.least_weight = 1e-3;
+    Eye eye(frosted);
+    constexpr std::uint32_t kSamples = 256;
+    double mean = 0.0;
+    for (std::uint32_t i = 0; i < kSamples; ++i) mean += eye.see(kThrough, i)[1] / kSamples;
+    EXPECT_LE(mean, 1.0 + kWhiteByQuadrature);
+    EXPECT_GE(mean, 1.0 - 2.0 * kLost);
+}
+
+// A rough metal sees lamps by shadow rays and the rest by a ray of its own: no lamp twice.
+TEST(RayTree, LampsInGlossyMetalsAreCountedOnce) {
+    Scene scene = make_empty_scene();
+    scene.lights.push_back(UniformEnvironment{find_illuminant("D65")});
+    add(scene, Plane{}, {"metal", Conductor{make_constant(0.2), make_constant(3.0), 0.7}});
+    Eye eye(scene);
+    constexpr std::uint32_t kSamples = 4096;
+    // Fresnel's reflectance at normal incidence; rough metals reflect it to within a few per cent,
+    // and 4096 stratified samples of the sky leave less than one.
+    const double expected = (0.8 * 0.8 + 9.0) / (1.2 * 1.2 + 9.0);
+    double mean = 0.0;
+    for (std::uint32_t i = 0; i < kSamples; ++i) mean += eye.see(kThrough, i)[1] / kSamples;
+    EXPECT_NEAR(mean, expected, 0.04);
+}
+
 TEST(RayTree, WhatIsSeenFirstFillsTheLayers) {
     const Scene scene = slab_in_light(1.0);
     const Method method(scene);
