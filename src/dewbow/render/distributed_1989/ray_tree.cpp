@@ -65,13 +65,13 @@ PixelSample RayTree::through_lens(int x, int y, const Ray& first) {
 }
 
 /// What `first` and all rays that it becomes bring home.
-MonitorRgb RayTree::follow(TracedRay first, RayFamily& family) {
+MonitorRgb RayTree::follow(const TracedRay& first, RayFamily& family) {
     MonitorRgb sum;
-    trace(std::move(first), family, sum);
+    trace(first, family, sum);
     while (!family.pending.empty()) {
-        TracedRay next = family.pending.back();
+        const TracedRay next = family.pending.back();
         family.pending.pop_back();
-        trace(std::move(next), family, sum);
+        trace(next, family, sum);
     }
     return sum;
 }
@@ -104,7 +104,7 @@ void RayTree::trace(TracedRay ray, RayFamily& family, MonitorRgb& sum) {
 
 /// Takes the ray past one surface, and leaves others that come of it in family.pending. False: it
 /// ends here.   @param interior  the medium within, if any.
-bool RayTree::interact(Meeting at, const Material& material, int interior) {
+bool RayTree::interact(const Meeting& at, const Material& material, int interior) {
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return this->glass(at, *glass, interior);
     if (ScatteringSurface::holds(material)) return scatter(at, material);

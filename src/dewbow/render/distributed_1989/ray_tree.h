@@ -14,7 +14,6 @@
 // ray_tree.cpp follows rays, boundary.cpp has what glass does to them, lamps.cpp the light.
 
 #include <optional>
-#include <utility>
 
 #include "dewbow/base/random.h"
 #include "dewbow/render/distributed_1989/method.h"
@@ -84,9 +83,9 @@ private:
     // Following.
     PixelSample through_lens(int x, int y, const Ray& first);
     PixelSample finish(MonitorRgb sum);
-    MonitorRgb follow(TracedRay first, RayFamily& family);
+    MonitorRgb follow(const TracedRay& first, RayFamily& family);
     void trace(TracedRay ray, RayFamily& family, MonitorRgb& sum);
-    bool interact(Meeting at, const Material& material, int interior);
+    bool interact(const Meeting& at, const Material& material, int interior);
     bool reflect(const Meeting& at) const;
     bool metal(const Meeting& at, const Conductor& conductor) const;
     bool pane(const Meeting& at, const ThinDielectric& pane);
