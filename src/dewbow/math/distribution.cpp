@@ -2,6 +2,7 @@
 #include "dewbow/math/distribution.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "dewbow/base/check.h"
@@ -59,13 +60,23 @@ Distribution1D::Distribution1D(std::span<const double> weights) : cdf_(weights.s
     const double sum = cdf_.back();
     for (double& c : cdf_) c /= sum;
     total_ = largest * sum;
+    const std::size_t parts = std::bit_floor(size());
+    guide_.reserve(parts + 1);
+    for (std::size_t part = 0, cell = 0; part <= parts; ++part) {
+        const double low = static_cast<double>(part) / static_cast<double>(parts);
+        while (cell + 1 < size() && cdf_[cell + 1] <= low) ++cell;
+        guide_.push_back(static_cast<std::uint32_t>(cell));
+    }
 }
 
 Distribution1D::Sample Distribution1D::sample(double u) const {
     u = std::clamp(u, 0.0, kOneBelow);
+    // Exact: the number of parts is a power of two.
+    const auto part = static_cast<std::size_t>(u * static_cast<double>(guide_.size() - 1));
     // The last cell that begins at or below u; one of no width begins where the next does.
-    const auto above = std::upper_bound(cdf_.begin(), cdf_.end(), u);
-    const auto index = static_cast<std::size_t>(above - cdf_.begin()) - 1;
+    const double* first = cdf_.data() + guide_[part] + 1;
+    const double* last = cdf_.data() + guide_[part + 1] + 1;
+    const auto index = static_cast<std::size_t>(std::upper_bound(first, last, u) - cdf_.data()) - 1;
     const double offset = std::min((u - cdf_[index]) / probability(index), kOneBelow);
     return {index, offset, pdf(index)};
 }

@@ -4,6 +4,7 @@
 // Sampling in proportion to tabulated weights: piecewise constant densities on [0, 1) and [0, 1)².
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,9 @@ public:
 
 private:
     std::vector<double> cdf_;  // at the ends of the cells: n + 1, from 0 to exactly 1
+    // The cells that the ends of equal parts of [0, 1] lie in, a power of two of parts: between
+    // them there are few cells to search.
+    std::vector<std::uint32_t> guide_;
     double total_ = 0.0;
 };
 

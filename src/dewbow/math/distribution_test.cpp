@@ -80,6 +80,29 @@ TEST(Distribution1DTest, CdfUndoesSampleAndSampleUndoesCdf) {
     }
 }
 
+// The cell is found by a guide; looking at all of them from the first must give the same.
+TEST(Distribution1DTest, FindsTheCellThatALookAtAllOfThemFinds) {
+    const std::vector<std::vector<double>> tables{
+        {1}, {1, 2, 3}, {0, 0, 1, 0}, {1e-9, 1, 1e-9, 0, 0, 5, 1e-12}, std::vector(500, 0.3)};
+    for (const std::vector<double>& weights : tables) {
+        const Distribution1D d(weights);
+        std::vector<double> low{0.0};  // where the cells begin
+        for (std::size_t i = 1; i < d.size(); ++i)
+            low.push_back(d.cdf(double(i) / double(d.size())));
+        std::vector<double> places;
+        for (const double edge : low)
+            places.insert(places.end(),
+                          {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1.0)});
+        for (int i = 0; i < 64; ++i) places.push_back(i / 64.0);
+        for (const double u : places) {
+            if (u >= 1.0) continue;
+            std::size_t expected = 0;
+            while (expected + 1 < low.size() && low[expected + 1] <= u) ++expected;
+            EXPECT_EQ(d.sample(u).index, expected) << "of " << weights.size() << " at " << u;
+        }
+    }
+}
+
 TEST(Distribution1DTest, EmptyCellsAtTheEndsAreNeverChosen) {
     const Distribution1D d(std::vector<double>{0.0, 0.0, 0.1, 0.2, 0.7, 0.0, 0.0});
     EXPECT_EQ(d.sample(0.0).index, 2u);
