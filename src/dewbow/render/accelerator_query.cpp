@@ -49,26 +49,25 @@ void load_rays(const Query& query, int n, RayHit& packet) {
     }
 }
 
-/// @param limit  along the true ray.
-RTCRay load_ray(const Query& query, int k, double limit) {
+/// In place: a copy would have to wait for what was just written.  @param limit  along the true
+/// ray.
+void load_ray(const Query& query, int k, double limit, RTCRay& ray) {
     const double start = query.start[std::size_t(k)];
     const Vec3 d = query.rays->direction(k), origin = query.rays->origin(k) + d * start;
-    RTCRay result{};
-    result.org_x = float(origin.x), result.org_y = float(origin.y), result.org_z = float(origin.z);
-    result.dir_x = float(d.x), result.dir_y = float(d.y), result.dir_z = float(d.z);
-    result.tnear = 0.0f;
-    result.tfar = float(limit - start);
-    result.mask = ~0u;
-    result.id = unsigned(k);
-    return result;
+    ray.org_x = float(origin.x), ray.org_y = float(origin.y), ray.org_z = float(origin.z);
+    ray.dir_x = float(d.x), ray.dir_y = float(d.y), ray.dir_z = float(d.z);
+    ray.tnear = 0.0f;
+    ray.tfar = float(limit - start);
+    ray.time = 0.0f;
+    ray.mask = ~0u;
+    ray.id = unsigned(k);
+    ray.flags = 0;
 }
 
-RTCRayHit load_ray_hit(const Query& query, int k, double limit) {
-    RTCRayHit result;
-    result.ray = load_ray(query, k, limit);
-    result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    result.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    return result;
+void load_ray_hit(const Query& query, int k, double limit, RTCRayHit& ray_hit) {
+    load_ray(query, k, limit, ray_hit.ray);
+    ray_hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 }
 
 Found found_by(const RTCHit& hit) { return {hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v}; }
@@ -203,7 +202,8 @@ void AcceleratorTree::look_back(const RayLanes& rays, int k, Hit& hit) const {
     context.query.back = true;
     context.query.shift = inward;
     context.query.start[std::size_t(k)] = -kLookBack * scale;
-    RTCRayHit single = load_ray_hit(context.query, k, kLookBack * scale);
+    RTCRayHit single;
+    load_ray_hit(context.query, k, kLookBack * scale, single);
     single.ray.org_x += float(inward.x);
     single.ray.org_y += float(inward.y);
     single.ray.org_z += float(inward.z);
@@ -212,7 +212,7 @@ void AcceleratorTree::look_back(const RayLanes& rays, int k, Hit& hit) const {
         // What was hit may be what the body stands on, met at the very distance of the way out.
         context = make_context(rays, hit.t + kSamePlane * scale, scale, false);
         context.query.way_out = true;
-        single = load_ray_hit(context.query, k, hit.t + kHeadStart * scale);
+        load_ray_hit(context.query, k, hit.t + kHeadStart * scale, single);
         rtcIntersect1(scene, &context.embree, &single);
     }
     if (single.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
@@ -240,7 +240,8 @@ void AcceleratorTree::intersect(const RayLanes& rays, LaneMask mask, std::span<H
     if (std::popcount(mask) < kLeastForPacket) {
         for (LaneMask m = mask; m; m &= m - 1) {
             const int k = std::countr_zero(m);
-            RTCRayHit single = load_ray_hit(context.query, k, kUnlimited);
+            RTCRayHit single;
+            load_ray_hit(context.query, k, kUnlimited, single);
             rtcIntersect1(scene, &context.embree, &single);
             finish(k, found_by(single.hit));
         }
@@ -291,7 +292,8 @@ bool AcceleratorTree::occluded(const Ray& ray, double distance) const {
     Context context = make_context(rays, limit, scale, false);
     context.query.start[0] = start_of(ray);
     if (context.query.start[0] >= limit) return false;
-    RTCRay single = load_ray(context.query, 0, limit);
+    RTCRay single;
+    load_ray(context.query, 0, limit, single);
     rtcOccluded1(scene, &context.embree, &single);
     if (single.tfar < 0.0f) return true;
     if (!in_body || !is_mesh(from.shape)) return false;
