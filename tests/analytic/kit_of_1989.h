@@ -10,6 +10,7 @@
 
 #include "dewbow/optics/paper_index.h"
 #include "dewbow/render/session.h"
+#include "dewbow/spectrum/rgb.h"
 #include "dewbow/spectrum/spectral_samples.h"
 #include "scene_kit.h"
 

@@ -155,6 +155,8 @@ TEST(EmpiricalSpectrum, LimitedGoesTowardsWhiteAtItsLuminance) {
                 EXPECT_NEAR(to[c] - y, left * (from[c] - y), kRounding);
         }
     }
+    // Blue has little luminance to be grey at.
+    EXPECT_NEAR(curves("rogers", NegativeColours::limit).area[2], 0.41, 0.005);
 }
 
 TEST(EmpiricalSpectrum, IsZeroOutside) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/spectrum/linear_model.h"
 
-#include <cmath>
-
 namespace dewbow {
 namespace {
 
@@ -16,16 +14,11 @@ constexpr double kNodes[3][kPaperSamples + 1] = {
 }  // namespace
 
 Wavelength paper_wavelength(double f, SpectralSpacing spacing) {
-    const double red = kPaperRed.to(unit::nm), violet = kPaperViolet.to(unit::nm);
-    if (spacing == SpectralSpacing::wavelength) return (red + f * (violet - red)) * unit::nm;
-    return 1.0 / (1.0 / red + f * (1.0 / violet - 1.0 / red)) * unit::nm;
+    return SpectralCoordinate{kPaperRed, kPaperViolet, spacing}.wavelength(f);
 }
 
 double paper_coordinate(Wavelength lambda, SpectralSpacing spacing) {
-    if (spacing == SpectralSpacing::wavelength)
-        return (kPaperRed - lambda) / (kPaperRed - kPaperViolet);
-    const double red = kPaperRed.to(unit::nm), violet = kPaperViolet.to(unit::nm);
-    return (1.0 / lambda.to(unit::nm) - 1.0 / red) / (1.0 / violet - 1.0 / red);
+    return SpectralCoordinate{kPaperRed, kPaperViolet, spacing}.at(lambda);
 }
 
 Colour<LinearSrgb> linear_spectrum_colour(double f) {

@@ -6,8 +6,8 @@
 
 #include <array>
 
-#include "dewbow/base/quantity.h"
 #include "dewbow/spectrum/colour.h"
+#include "dewbow/spectrum/spectral_coordinate.h"
 
 namespace dewbow {
 
@@ -18,10 +18,7 @@ inline constexpr int kPaperSamples = 13;
 /// What the 13 samples sum to, in each channel.
 inline constexpr double kPaperWhite = 6.0;
 
-/// What the paper's spectral coordinate f, 0 red to 1 violet, is linear in; it has both words.
-enum class SpectralSpacing { frequency, wavelength };
-
-/// f = (1/λ − 1/800 nm) / (1/380 nm − 1/800 nm), or (800 nm − λ) / 420 nm.
+/// λ and f of the coordinate over that range.
 Wavelength paper_wavelength(double f, SpectralSpacing spacing);
 double paper_coordinate(Wavelength lambda, SpectralSpacing spacing);
 

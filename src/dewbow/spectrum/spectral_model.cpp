@@ -4,6 +4,7 @@
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/empirical_model.h"
 #include "dewbow/spectrum/illuminant.h"
+#include "dewbow/spectrum/linear_model.h"
 #include "dewbow/spectrum/monitors.h"
 #include "dewbow/spectrum/primaries_matrix.h"
 
@@ -75,38 +76,12 @@ const std::vector<std::string>& negative_colours_names() {
     return kNames;
 }
 
-const std::vector<std::string>& spectral_spacing_names() {
-    static const std::vector<std::string> kNames{"frequency", "wavelength"};
-    return kNames;
-}
-
 SpectralModel::SpectralModel(Wavelength red, Wavelength violet,
                              const SpectralModelSettings& settings)
-    : red_nm_(red.to(unit::nm)),
-      violet_nm_(violet.to(unit::nm)),
-      spacing_(settings.spacing),
+    : coordinate_{red, violet, settings.spacing},
       xyz_from_monitor_(
           matrix_of_primaries(find_monitor(settings.monitor).primaries, film_white())),
       monitor_from_xyz_(inverse(xyz_from_monitor_)) {}
-
-Wavelength SpectralModel::wavelength(double f) const {
-    if (spacing_ == SpectralSpacing::wavelength)
-        return (red_nm_ + f * (violet_nm_ - red_nm_)) * unit::nm;
-    return 1.0 / (1.0 / red_nm_ + f * (1.0 / violet_nm_ - 1.0 / red_nm_)) * unit::nm;
-}
-
-double SpectralModel::coordinate(Wavelength lambda) const {
-    const double lambda_nm = lambda.to(unit::nm);
-    if (spacing_ == SpectralSpacing::wavelength)
-        return (red_nm_ - lambda_nm) / (red_nm_ - violet_nm_);
-    return (1.0 / lambda_nm - 1.0 / red_nm_) / (1.0 / violet_nm_ - 1.0 / red_nm_);
-}
-
-double SpectralModel::nm_per_f(double f) const {
-    if (spacing_ == SpectralSpacing::wavelength) return red_nm_ - violet_nm_;
-    const double lambda_nm = wavelength(f).to(unit::nm);
-    return lambda_nm * lambda_nm * (1.0 / violet_nm_ - 1.0 / red_nm_);
-}
 
 SpectralModelPtr make_spectral_model(const SpectralModelSettings& settings) {
     switch (settings.colours) {

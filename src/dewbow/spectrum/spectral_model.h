@@ -10,9 +10,8 @@
 
 #include "dewbow/base/quantity.h"
 #include "dewbow/spectrum/colour.h"
-#include "dewbow/spectrum/linear_model.h"
 #include "dewbow/spectrum/matrix3.h"
-#include "dewbow/spectrum/rgb.h"
+#include "dewbow/spectrum/spectral_coordinate.h"
 
 namespace dewbow {
 
@@ -32,10 +31,9 @@ enum class NegativeColours {
     clamp,  ///< to zero, as the paper does
     limit,  ///< towards white at constant Y until the least channel is 0, as the paper wishes
 };
-/// The words for these and for SpectralSpacing, each in the order of its enumerators.
+/// The words for these, each in the order of its enumerators.
 const std::vector<std::string>& spectral_colours_names();
 const std::vector<std::string>& negative_colours_names();
-const std::vector<std::string>& spectral_spacing_names();
 
 struct SpectralModelSettings {
     SpectralColours colours = SpectralColours::linear;
@@ -55,11 +53,11 @@ public:
     /// [Musgrave 1989, eqs. 10–12: R, G, B(λ)]
     virtual MonitorRgb density(double f) const = 0;
 
-    Wavelength wavelength(double f) const;
+    Wavelength wavelength(double f) const { return coordinate_.wavelength(f); }
     /// f at `lambda`; below 0 or above 1 outside the range.
-    double coordinate(Wavelength lambda) const;
+    double coordinate(Wavelength lambda) const { return coordinate_.at(lambda); }
     /// |dλ/df| in nm: density(f) / nm_per_f(f) is the density per nm.
-    double nm_per_f(double f) const;
+    double nm_per_f(double f) const { return coordinate_.nm_per_f(f); }
 
     /// What `rgb` is to the film: (1, 1, 1) is its white, the XYZ of illuminant D65 with Y = 1. The
     /// primaries are the monitor's, its own white is not used.
@@ -70,8 +68,7 @@ protected:
     SpectralModel(Wavelength red, Wavelength violet, const SpectralModelSettings& settings);
 
 private:
-    double red_nm_, violet_nm_;
-    SpectralSpacing spacing_;
+    SpectralCoordinate coordinate_;
     Matrix3 xyz_from_monitor_, monitor_from_xyz_;
 };
 using SpectralModelPtr = std::shared_ptr<const SpectralModel>;

@@ -8,6 +8,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/illuminant.h"
+#include "dewbow/spectrum/linear_model.h"
 #include "dewbow/spectrum/monitors.h"
 
 namespace dewbow {

@@ -23,8 +23,6 @@ Distribution1D tailored_to(const SpectralModel& model) {
     return Distribution1D(weights);
 }
 
-bool colour_moves(Jitter jitter) { return jitter == Jitter::colour || jitter == Jitter::both; }
-
 }  // namespace
 
 const std::vector<std::string>& jitter_names() {
@@ -36,12 +34,12 @@ PreparedSpectralSampling::PreparedSpectralSampling(SpectralModelPtr model,
                                                    const SpectralSampling& sampling)
     : model_(std::move(model)), sampling_(sampling) {
     DEWBOW_CHECK(sampling.samples >= 1, "a set of samples has at least one");
-    if (sampling.tailored) tailored_.push_back(tailored_to(*model_));
+    if (sampling.tailored) tailored_ = tailored_to(*model_);
     for (int k = 0; k < sampling.samples; ++k) {
         const Place middle = place(k, 0.5);
         fixed_.push_back({middle.f, middle.f, colour(middle)});
     }
-    if (colour_moves(sampling.jitter)) return;
+    if (colours_move(sampling.jitter)) return;
     const MonitorRgb tint = raw_tint();
     for (std::size_t c = 0; c < 3; ++c) {
         if (!(tint[c] > 0.0))
@@ -66,8 +64,8 @@ MonitorRgb PreparedSpectralSampling::raw_tint() const {
 
 PreparedSpectralSampling::Place PreparedSpectralSampling::place(int k, double u) const {
     const double quantile = (k + u) / sampling_.samples;
-    if (tailored_.empty()) return {quantile, 1.0};
-    const Distribution1D::Sample at = tailored_[0].sample(quantile);
+    if (!tailored_) return {quantile, 1.0};
+    const Distribution1D::Sample at = tailored_->sample(quantile);
     return {(double(at.index) + at.offset) / kTailoredCells, at.pdf};
 }
 

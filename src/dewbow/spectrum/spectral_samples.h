@@ -6,11 +6,13 @@
 // a renderer.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "dewbow/math/distribution.h"
+#include "dewbow/spectrum/linear_model.h"
 #include "dewbow/spectrum/spectral_model.h"
 
 namespace dewbow {
@@ -20,12 +22,16 @@ namespace dewbow {
 enum class Jitter { none, index, colour, both };
 /// Their words, in this order.
 const std::vector<std::string>& jitter_names();
+/// True if colours are moved, by themselves or with the index.
+inline bool colours_move(Jitter jitter) {
+    return jitter == Jitter::colour || jitter == Jitter::both;
+}
 
 struct SpectralSampling {
     int samples = kPaperSamples;
     Jitter jitter = Jitter::none;
     bool correlated = false;  ///< one offset for all intervals, else one for each
-    /// Intervals of equal area under r + g + b instead of equal width. [after eq. 12]
+    /// Intervals of equal area under |r| + |g| + |b| instead of equal width. [before eq. 13]
     bool tailored = false;
 };
 
@@ -67,8 +73,8 @@ private:
 
     SpectralModelPtr model_;
     SpectralSampling sampling_;
-    std::vector<Distribution1D> tailored_;  ///< none or one
-    std::vector<SpectralSample> fixed_;     ///< white together
+    std::optional<Distribution1D> tailored_;
+    std::vector<SpectralSample> fixed_;  ///< undivided where colours move, else white together
 };
 
 /// One set. `offsets` are offset_count() numbers in [0, 1), `out` has as many places as the set.

@@ -12,6 +12,7 @@
 
 #include "dewbow/math/quadrature.h"
 #include "dewbow/spectrum/cie.h"
+#include "dewbow/spectrum/rgb.h"
 #include "dewbow/spectrum/spectral_samples.h"
 #include "dewbow/spectrum/wavelengths.h"
 
@@ -148,7 +149,7 @@ TEST(SpectralStatistics, ClosedFormsAgreeWithElementaryOnes) {
 // ---- the sampler -------------------------------------------------------------------------------
 
 constexpr int kSets = 1 << 18;
-/// Each comparison is a false alarm with probability 6e-7; there are 13 in a run.
+/// Each comparison is a false alarm with probability 6e-7; there are 14 in a run.
 constexpr double kSigmas = 5.0;
 
 /// The numbers of one set, from independent uniform ones.
@@ -220,7 +221,7 @@ TEST(SpectralStatistics, IndependentJitterIsAsTheClosedFormsSay) {
 
 TEST(SpectralStatistics, PlantedFaultsAreSeen) {
     const Offsets faults[] = {
-        // jitter over 98 % of the interval
+        // only over the middle 98 % of the interval
         [](auto& u) {
             for (double& x : u) x = 0.01 + 0.98 * x;
         },
@@ -228,7 +229,7 @@ TEST(SpectralStatistics, PlantedFaultsAreSeen) {
         [](auto& u) { u[4] = u[3]; },
         // the last interval, which red and blue share, taken twice
         [](auto& u) { u[6] = u[12]; },
-        // shifted by 2 % of an interval
+        // only over the first 98 % of the interval
         [](auto& u) {
             for (double& x : u) x = 0.98 * x;
         },
@@ -236,8 +237,7 @@ TEST(SpectralStatistics, PlantedFaultsAreSeen) {
     for (const Offsets& fault : faults) EXPECT_GT(worst_deviation(measure(fault)), 2.0 * kSigmas);
 }
 
-// ---- common offsets and other numbers of samples
-// -------------------------------------------------
+// ---- common offsets and other numbers of samples ----------------------------------------------
 
 /// The least and greatest sum of a set over common offsets, a channel each.
 struct Range {
@@ -334,7 +334,7 @@ TEST(SpectralStatistics, UniformLanesUnderEqualEnergyAreWhiteOnlyOnAverage) {
     expect_range(range_of(16), {0.995, 0.997, 0.958}, {1.005, 1.003, 1.038}, 0.0011);
 }
 
-TEST(SpectralStatistics, TailoredSamplesHalveTheNoiseOfWhite) {
+TEST(SpectralStatistics, NoiseOfWhiteTailoredAndNot) {
     const auto sd = [](SpectralColours colours, bool tailored) {
         const PreparedSpectralSampling prepared(make_spectral_model({.colours = colours}),
                                                 {.jitter = Jitter::both, .tailored = tailored});
