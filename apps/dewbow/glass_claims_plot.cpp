@@ -9,6 +9,7 @@
 #include "dewbow/export/plot.h"
 #include "dewbow/optics/absorption_band.h"
 #include "dewbow/optics/catalogue.h"
+#include "dewbow/optics/equivalents.h"
 #include "dewbow/optics/paper_claims.h"
 #include "glass_paper.h"
 
@@ -27,7 +28,7 @@ PlotPanel power_panel() {
     for (const Glass& glass : glass_catalogue()) {
         const DispersionPtr dispersion = make_dispersion(glass.data);
         const double n_D = ((*dispersion)(kLineD) / (*air())(kLineD)).value;
-        const double w = dispersive_power(*dispersion);
+        const double w = dispersive_power(index_in_air(dispersion));
         if (n_D > kLeastN && n_D < kMostN && w > 0.0 && w < kMostW) panel.dots.push_back({n_D, w});
     }
     return panel;

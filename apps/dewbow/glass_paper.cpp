@@ -12,8 +12,6 @@
 namespace dewbow {
 namespace {
 
-constexpr double kLeastOfGlass = 1.001;  ///< n − 1 of gases says nothing against air
-
 std::array<PaperLine, 5> lines_of(SpectralSpacing spacing) {
     std::array<PaperLine, 5> lines{{{"far red", kPaperRed.to(unit::nm)},
                                     {"C", kLineC.to(unit::nm)},
@@ -31,9 +29,8 @@ double power_of(const LinearIndex& line, SpectralSpacing spacing) {
 }
 
 std::array<PaperReading, 3> readings_of(double eta_red, double w, SpectralSpacing spacing) {
-    std::array<PaperReading, 3> readings{{{"printed", IndexReading::printed},
-                                          {"intended", IndexReading::intended},
-                                          {"exact", IndexReading::exact}}};
+    std::array<PaperReading, 3> readings{
+        {{IndexReading::printed}, {IndexReading::intended}, {IndexReading::exact}}};
     for (PaperReading& reading : readings) {
         try {
             reading.line = linear_index(eta_red, w, reading.reading, spacing);
@@ -73,14 +70,14 @@ void add_glass(const std::string& name, GlassPaper& paper) {
     const GlassFacts facts(glass_named(name));
     const Dispersion& real = *facts.dispersion;
     const auto n = [&](double nm) { return (real(nm * unit::nm) / (*air())(nm * unit::nm)).value; };
-    if (real.is_constant() || n(kLineD.to(unit::nm)) < kLeastOfGlass)
+    if (!disperses_in_air(facts.dispersion))
         throw UsageError(facts.glass.name + " has no dispersion against air",
                          "the paper's index is that of a body in air");
     paper.title = facts.glass.name;
     paper.notes = facts.notes();
     paper.real = facts.in_air;
     paper.eta_red = n(kPaperRed.to(unit::nm));
-    paper.w = dispersive_power(real);
+    paper.w = dispersive_power(facts.in_air);
     paper.readings = readings_of(paper.eta_red, paper.w, paper.spacing);
     for (PaperLine& line : paper.lines) line.real = n(line.lambda_nm);
     for (PaperReading& reading : paper.readings)

@@ -16,11 +16,12 @@ namespace dewbow {
 
 /// One reading of eq. 9.
 struct PaperReading {
-    const char* name;
     IndexReading reading;
     std::optional<LinearIndex> line = std::nullopt;  ///< nothing beyond the pole
     double w = 0.0;                                  ///< that the line has, by eq. 2
     std::optional<double> worst = std::nullopt;      ///< greatest |Δn| from the true glass
+
+    const std::string& name() const { return index_reading_names()[std::size_t(reading)]; }
 };
 
 /// A line of the spectrum, or an end of it.

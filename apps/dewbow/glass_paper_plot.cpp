@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ PlotCurve curve_of(const std::string& label, std::size_t colour, bool dashed, co
 }
 
 PlotAxis wavelength_axis() {
-    return {"wavelength λ (nm)", kPaperSpectrum.from_nm, kPaperSpectrum.to_nm};
+    return {"wavelength in air λ (nm)", kPaperSpectrum.from_nm, kPaperSpectrum.to_nm};
 }
 
 /// As printed the index is far below what the others are, and not shown.
@@ -30,12 +32,14 @@ PlotPanel index_panel(const GlassPaper& paper) {
     panel.title = paper.title;
     panel.x = wavelength_axis();
     panel.y.label = "index against air";
-    const auto f = [&](double nm) { return paper_coordinate(nm * unit::nm, paper.spacing); };
+    const auto f = [&](double nm) {
+        return paper_coordinate(vacuum_wavelength(nm), paper.spacing);
+    };
     if (paper.real) panel.curves.push_back(curve_of("real", 0, false, paper.real));
     for (const PaperReading& reading : paper.readings) {
         if (!reading.line || reading.reading == IndexReading::printed) continue;
         const std::size_t colour = reading.reading == IndexReading::intended ? 1 : 2;
-        panel.curves.push_back(curve_of(reading.name, colour, true,
+        panel.curves.push_back(curve_of(reading.name(), colour, true,
                                         [&](double nm) { return reading.line->at(f(nm)); }));
     }
     double low = INFINITY, high = -INFINITY;
@@ -58,10 +62,11 @@ PlotPanel error_panel(const GlassPaper& paper) {
         if (!last.empty() && last != fit.formula->name) ++colour;
         last = fit.formula->name;
         panel.curves.push_back(
-            curve_of(fit.formula->name, colour, !fit.formula->right, [&](double nm) {
-                return std::max(std::abs(fit.narrow.index(1e-3 * nm) - paper.real(nm)),
-                                kLeastError);
-            }));
+            curve_of(fmt::format("{} ({})", fit.formula->name, fit.formula->constants), colour,
+                     !fit.formula->right, [&](double nm) {
+                         return std::max(std::abs(fit.narrow.index(1e-3 * nm) - paper.real(nm)),
+                                         kLeastError);
+                     }));
     }
     return panel;
 }

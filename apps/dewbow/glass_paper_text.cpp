@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kMakers[] = {"schott/", "ohara/", "hoya/", "hikari/", "cdgm/", "sumita/", ""};
 
-std::string cell(std::optional<double> value, const char* form = "{:<11.6f}") {
+std::string cell(std::optional<double> value, const char* form = "{:<10.6f} ") {
     return value ? fmt::format(fmt::runtime(form), *value) : fmt::format("{:<11}", "-");
 }
 template <class Value>
@@ -33,33 +33,33 @@ std::string row(const GlassPaper& paper, const std::string& title, std::optional
 }
 
 std::string index_text(const GlassPaper& paper) {
-    const bool by_frequency = paper.spacing == SpectralSpacing::frequency;
     std::string text =
         fmt::format("{}: at the far red (800 nm) {:.6g}, w {:.6g} (eq. 2)\n\n  {:<11}{:<14}{:<7}",
                     paper.title, paper.eta_red, paper.w, "line", "λ in vacuum", "f");
     if (paper.real) text += fmt::format("{:<11}", "real");
-    for (const PaperReading& reading : paper.readings) text += fmt::format("{:<11}", reading.name);
+    for (const PaperReading& reading : paper.readings)
+        text += fmt::format("{:<11}", reading.name());
     text += "\n";
     for (const PaperLine& line : paper.lines)
         text += row(
             paper, fmt::format("{:<11}{:>8.4f} nm   {:.4f}", line.name, line.lambda_nm, line.f),
             line.real, [&](const PaperReading& r) { return std::optional(r.line->at(line.f)); },
-            "{:<11.6f}");
+            "{:<10.6f} ");
     text += row(
         paper, "slope, per unit of f", std::nullopt,
-        [](const PaperReading& r) { return std::optional(r.line->slope); }, "{:<11.6f}");
+        [](const PaperReading& r) { return std::optional(r.line->slope); }, "{:<10.6f} ");
     text += row(
         paper, "its w, by eq. 2", paper.w, [](const PaperReading& r) { return std::optional(r.w); },
-        "{:<11.6f}");
+        "{:<10.6f} ");
     if (paper.real)
         text += row(
             paper, "worst Δn, 380 to 800 nm", std::nullopt,
-            [](const PaperReading& r) { return r.worst; }, "{:<11.1e}");
+            [](const PaperReading& r) { return r.worst; }, "{:<10.1e} ");
     return text + fmt::format(
                       "\n  Eq. 9 as printed gives no index; as intended before the print "
                       "lost \"+ η\"; exact: the line that\n  has this w. Against air, "
                       "straight in the {}.\n",
-                      by_frequency ? "frequency" : "wavelength");
+                      spectral_spacing_names()[std::size_t(paper.spacing)]);
 }
 
 std::string fits_text(const GlassPaper& paper) {
@@ -88,31 +88,30 @@ Json json_of(const FittedFormula& fit, const IndexError& error, SpectralBand ban
 }
 
 Json json_of(const GlassPaper& paper) {
-    Json json = {
-        {"name", paper.real ? Json(paper.title) : Json(nullptr)},
-        {"eta_red", paper.eta_red},
-        {"w", paper.w},
-        {"spacing", paper.spacing == SpectralSpacing::frequency ? "frequency" : "wavelength"},
-        {"lines", Json::array()},
-        {"readings", Json::object()},
-        {"formulas", Json::array()},
-        {"notes", paper.notes}};
+    Json json = {{"name", paper.real ? Json(paper.title) : Json(nullptr)},
+                 {"eta_red", paper.eta_red},
+                 {"w", paper.w},
+                 {"spacing", spectral_spacing_names()[std::size_t(paper.spacing)]},
+                 {"lines", Json::array()},
+                 {"readings", Json::object()},
+                 {"formulas", Json::array()},
+                 {"notes", paper.notes}};
     for (const PaperLine& line : paper.lines) {
         Json entry = {{"line", line.name},
                       {"lambda_nm", line.lambda_nm},
                       {"f", line.f},
                       {"real", optional_json(line.real)}};
         for (const PaperReading& reading : paper.readings)
-            entry[reading.name] = reading.line ? Json(reading.line->at(line.f)) : Json(nullptr);
+            entry[reading.name()] = reading.line ? Json(reading.line->at(line.f)) : Json(nullptr);
         json["lines"].push_back(std::move(entry));
     }
     for (const PaperReading& reading : paper.readings)
-        json["readings"][reading.name] = reading.line
-                                             ? Json{{"at_red", reading.line->at_red},
-                                                    {"slope", reading.line->slope},
-                                                    {"w", reading.w},
-                                                    {"worst", optional_json(reading.worst)}}
-                                             : Json(nullptr);
+        json["readings"][reading.name()] = reading.line
+                                               ? Json{{"at_red", reading.line->at_red},
+                                                      {"slope", reading.line->slope},
+                                                      {"w", reading.w},
+                                                      {"worst", optional_json(reading.worst)}}
+                                               : Json(nullptr);
     for (const PaperFit& fit : paper.fits) {
         Json narrow = json_of(fit.narrow, fit.narrow_error, kPaperWaterData);
         narrow["worst_380_to_800_nm"] = fit.beyond.worst;

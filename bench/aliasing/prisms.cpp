@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "dewbow/optics/catalogue.h"
+#include "dewbow/optics/equivalents.h"
 #include "dewbow/optics/paper_index.h"
 
 namespace dewbow::bench {
@@ -34,7 +35,7 @@ std::vector<Prism> prisms(Angle apex, const Slope& slope_of) {
         const DispersionPtr dispersion = make_dispersion(find_glass(substance.glass).data);
         Prism prism;
         prism.name = substance.name;
-        prism.w = substance.times * dispersive_power(*dispersion);
+        prism.w = substance.times * dispersive_power(index_in_air(dispersion));
         prism.eta_red = against_air(*dispersion, kPaperRed);
         prism.slope = substance.times * slope_of(*dispersion, prism.eta_red, prism.w / substance.times);
         if (const auto spread = spread_arcmin(prism.eta_red, prism.slope, apex)) {

@@ -9,11 +9,12 @@
 
 namespace dewbow {
 
-/// The x that makes |A x − b| least, by Householder's reflections.   [Golub & Van Loan 1996,
-/// §5.3.2]
-/// @param a  A by columns, [column][row], with at least as many rows as columns.   @param b  a
-/// number for each row.   @return  a number for each column; 0 for a column that depends on those
-/// before it to within 1e-14 of its length.
+/// The x that makes |A x − b| least, by Householder's reflections.
+///                                                           [Golub & Van Loan 1996, §5.3.2]
+/// @param a  A by columns, [column][row], with at least as many rows as columns.
+/// @param b  a number for each row.
+/// @return  a number for each column; 0 for a column that depends on those before it to within
+///          1e-14 of its length.
 /// Error: 1e-16 times the condition number of A (its square where the residual is large).
 std::vector<double> least_squares(std::span<const double> a, std::span<const double> b);
 

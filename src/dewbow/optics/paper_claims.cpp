@@ -4,25 +4,19 @@
 #include <cmath>
 
 #include "dewbow/optics/catalogue.h"
+#include "dewbow/optics/equivalents.h"
 #include "dewbow/optics/paper_index.h"
 
 namespace dewbow {
-namespace {
-
-constexpr double kGas = 1e-3;  ///< of which n_D − 1 says nothing against air
-
-}  // namespace
-
 PowerAndDensity power_and_density(std::string_view maker) {
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
     PowerAndDensity result;
     for (const Glass& glass : glass_catalogue()) {
         if (!glass.name.starts_with(maker)) continue;
         const DispersionPtr dispersion = make_dispersion(glass.data);
-        if (dispersion->is_constant()) continue;
+        if (!disperses_in_air(dispersion)) continue;
         const double n_D = ((*dispersion)(kLineD) / (*air())(kLineD)).value;
-        if (std::abs(n_D - 1.0) < kGas) continue;
-        const double w = dispersive_power(*dispersion);
+        const double w = dispersive_power(index_in_air(dispersion));
         x += n_D, y += w, xx += n_D * n_D, xy += n_D * w, yy += w * w;
         ++result.glasses;
     }

@@ -174,7 +174,8 @@ const std::vector<PaperFormula>& paper_formulas() {
     static const std::vector<PaperFormula> formulas{
         {"Sellmeier", true, false, "n² = 1 + b λ²/(c² − λ²), b > 0", "b, c", fit_sellmeier_printed},
         {"Sellmeier", false, true, "n² = 1 + b λ²/(λ² − c²)", "b, c", fit_sellmeier},
-        {"Sellmeier", false, true, "the same − d λ²", "b, c, d", fit_sellmeier_infrared},
+        {"Sellmeier", false, true, "n² = 1 + b λ²/(λ² − c²) − d λ²", "b, c, d",
+         fit_sellmeier_infrared},
         {"Cauchy", true, true, "n = a + b/λ²", "a, b", fit_cauchy_2},
         {"Cauchy", true, true, "n = a + b/λ² + c/λ⁴", "a, b, c", fit_cauchy_3},
         {"Hartmann", true, false, "n = 1 + b/(c − λ)", "b, c", fit_hartmann_printed},
@@ -183,7 +184,8 @@ const std::vector<PaperFormula>& paper_formulas() {
         {"Conrady", false, true, "n = a + b/λ + c/λ^3.5", "a, b, c", fit_conrady},
         {"Herzberger", true, false, "n = a + bλ² + cL + dL², L = 1/(λ² − 0.028), λ in nm",
          "a, b, c, d", fit_herzberger_printed},
-        {"Herzberger", false, true, "the same, λ in µm", "a, b, c, d", fit_herzberger},
+        {"Herzberger", false, true, "n = a + bλ² + cL + dL², L = 1/(λ² − 0.028), λ in µm",
+         "a, b, c, d", fit_herzberger},
         {"a straight line", true, true, "n = a + b f", "a, b", fit_line},
     };
     return formulas;

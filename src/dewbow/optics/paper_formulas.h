@@ -26,7 +26,7 @@ struct PaperFormula {
     std::string name;  ///< "Hartmann"
     bool printed = true, right = true;
     std::string text;       ///< "n = 1 + b/(c − λ)"
-    std::string constants;  ///< "b, c"
+    std::string constants;  ///< their names: "b, c"
     /// By least squares in n (Sellmeier's in n²/2n, the same to first order), from samples by
     /// rising λ over a part of 300–900 nm, more than there are constants. What no linear fit finds,
     /// c of Sellmeier and Hartmann, by search.
@@ -36,10 +36,9 @@ struct PaperFormula {
 /// Sellmeier, Cauchy, Hartmann, Conrady and Herzberger of §3.2, each as printed and as right, and
 /// the straight line over f that eq. 9 wants.                                     [Musgrave 1989]
 ///
-/// * Sellmeier is printed with c² − λ² below, and b "characteristic of the material": no b > 0
-/// gives
-///   an index that falls with λ. Right is λ² − c². One band, alone and with the tail − d λ² of
-///   another far in the infrared.
+/// * Sellmeier is printed with c² − λ² below, and b "characteristic of the material": with no
+///   b > 0 does the index fall with λ. Right is λ² − c². One band, alone and with the tail − d λ²
+///   of another far in the infrared.
 /// * Hartmann is printed without n0, and has then to come down to 1 far in the infrared: c is some
 ///   µm below 0. Right is n0 + b/(λ − c)^1.2.                                      [Hartmann 1898]
 /// * Conrady is printed with λ² in place of λ^3.5.                                 [Conrady 1929]

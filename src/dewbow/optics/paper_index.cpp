@@ -9,11 +9,12 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/optics/dispersion/formula.h"
+#include "dewbow/optics/equivalents.h"
 
 namespace dewbow {
 namespace {
 
-/// Media nearer to air than this bend no ray of the paper's.
+/// What is nearer to air than this bends no ray of the paper's.
 constexpr double kGas = 1e-3;
 
 double index_against_air(const Dispersion& dispersion, Wavelength lambda) {
@@ -81,6 +82,11 @@ double exact_slope(double eta_red, double w, SpectralSpacing spacing) {
 
 }  // namespace
 
+const std::vector<std::string>& index_reading_names() {
+    static const std::vector<std::string> kNames{"printed", "intended", "exact"};
+    return kNames;
+}
+
 LinearIndex linear_index(double eta_red, double w, IndexReading reading, SpectralSpacing spacing) {
     switch (reading) {
         case IndexReading::printed:
@@ -108,17 +114,16 @@ DispersionPtr paper_index(double eta_red, double w, IndexReading reading, Spectr
         dispersion::checked("eta_red and w", StraightLine(line, spacing), kPaperRange));
 }
 
-DispersionPtr paper_index_of(const DispersionPtr& real, IndexReading reading,
-                             SpectralSpacing spacing) {
-    if (real->is_constant() || std::dynamic_pointer_cast<const PaperIndex>(real)) return real;
-    const double eta_red = index_against_air(*real, kPaperRed);
-    if (std::abs(eta_red - 1.0) < kGas) return real;
-    return paper_index(eta_red, dispersive_power(*real), reading, spacing);
+bool disperses_in_air(const DispersionPtr& dispersion) {
+    return !dispersion->is_constant() &&
+           std::abs(index_against_air(*dispersion, kLineD) - 1.0) >= kGas;
 }
 
-double dispersive_power(const Dispersion& dispersion) {
-    return (index_against_air(dispersion, kLineF) - index_against_air(dispersion, kLineC)) /
-           (index_against_air(dispersion, kLineD) - 1.0);
+DispersionPtr paper_index_of(const DispersionPtr& real, IndexReading reading,
+                             SpectralSpacing spacing) {
+    if (!disperses_in_air(real) || std::dynamic_pointer_cast<const PaperIndex>(real)) return real;
+    return paper_index(index_against_air(*real, kPaperRed), dispersive_power(index_in_air(real)),
+                       reading, spacing);
 }
 
 }  // namespace dewbow

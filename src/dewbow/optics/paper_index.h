@@ -4,6 +4,9 @@
 // The paper's linear index: a straight line over its spectral coordinate f, from the index at the
 // far red and the dispersive power. [Musgrave 1989, eq. 2 and 9]
 
+#include <string>
+#include <vector>
+
 #include "dewbow/optics/dispersion.h"
 #include "dewbow/spectrum/linear_model.h"
 
@@ -15,6 +18,8 @@ enum class IndexReading {
     intended,  ///< η + w(η − 1)/0.76 · f: what its derivation gives before the print lost "+ η"
     exact,     ///< η + k f with the k whose line has the dispersive power w, by eq. 2
 };
+/// Their words, in this order.
+const std::vector<std::string>& index_reading_names();
 
 /// The share of the spectrum between the C and F lines, as the paper has it. From 380 to 800 nm it
 /// is 0.386 in frequency and 0.405 in wavelength.
@@ -40,13 +45,13 @@ LinearIndex linear_index(double eta_red, double w, IndexReading reading,
 DispersionPtr paper_index(double eta_red, double w, IndexReading reading,
                           SpectralSpacing spacing = SpectralSpacing::frequency);
 
-/// The same for a real medium: of its index against air at 800 nm, and its w. What the paper has
-/// no line for stays as it is: indices without dispersion, gases (within 1e-3 of air), and what is
-/// the paper's index already.
+/// False of what the paper has no line for: indices without dispersion, and gases, whose n_D is
+/// within 1e-3 of air's.
+bool disperses_in_air(const DispersionPtr& dispersion);
+
+/// The line of a real medium: of its index against air at 800 nm, and its w. What does not
+/// disperse in air stays as it is, and so does what is the paper's index already.
 DispersionPtr paper_index_of(const DispersionPtr& real, IndexReading reading,
                              SpectralSpacing spacing = SpectralSpacing::frequency);
-
-/// (η_F − η_C)/(η_D − 1) against air; D is sodium's line.                [Musgrave 1989, eq. 2]
-double dispersive_power(const Dispersion& dispersion);
 
 }  // namespace dewbow
