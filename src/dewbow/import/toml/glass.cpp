@@ -67,24 +67,16 @@ DispersionPtr number_of(Table& table, const TomlValue& value) {
 }
 
 /// The paper's index, of `eta_red` and `w`.
-DispersionPtr paper_index_of(Table& table, const TomlValue& value) {
-    static const std::array<std::string, 3> kReadings = {"intended", "exact", "printed"};
-    static const std::array<std::string, 2> kSpacings = {"frequency", "wavelength"};
-    constexpr IndexReading kReading[] = {IndexReading::intended, IndexReading::exact,
-                                         IndexReading::printed};
-    constexpr SpectralSpacing kSpacing[] = {SpectralSpacing::frequency,
-                                            SpectralSpacing::wavelength};
+DispersionPtr paper_line_of(Table& table, const TomlValue& value) {
     const TomlDocument& document = table.document();
     const double eta_red = read_number(document, value, "eta_red", kIndexRange);
     const double w = table.require_number("w", kDispersivePowerRange);
-    const auto choice = [&](std::string_view key, std::span<const std::string> words) {
-        const TomlValue* word = table.find(key);
-        return word ? read_choice(document, *word, key, words) : 0;
-    };
-    const std::size_t reading = choice("index_reading", kReadings);
-    const std::size_t spacing = choice("index_spacing", kSpacings);
+    IndexReading reading = IndexReading::intended;
+    SpectralSpacing spacing = SpectralSpacing::frequency;
+    table.word("index_reading", index_reading_names(), reading);
+    table.word("index_spacing", spectral_spacing_names(), spacing);
     return at_place(document, value.place,
-                    [&] { return paper_index(eta_red, w, kReading[reading], kSpacing[spacing]); });
+                    [&] { return paper_index(eta_red, w, reading, spacing); });
 }
 
 SpectrumPtr read_absorption(Table& table) {
@@ -103,13 +95,15 @@ SpectrumPtr read_absorption(Table& table) {
 
 DispersionPtr read_index(Table& table, Diagnostics* notes) {
     table.at_most_one_of({"glass", "dispersion", "ior", "eta_red"});
-    for (const char* other : {"glass", "dispersion", "ior"}) table.at_most_one_of({other, "w"});
+    for (const char* other : {"glass", "dispersion", "ior"})
+        for (const char* key : {"w", "index_reading", "index_spacing"})
+            table.at_most_one_of({other, key});
     if (const TomlValue* value = table.find("glass"))
         return glass_of(table.document(), *value, notes);
     if (const TomlValue* value = table.find("dispersion"))
         return formula_of(table.document(), *value);
     if (const TomlValue* value = table.find("ior")) return number_of(table, *value);
-    if (const TomlValue* value = table.find("eta_red")) return paper_index_of(table, *value);
+    if (const TomlValue* value = table.find("eta_red")) return paper_line_of(table, *value);
     table.fail_missing({"glass", "dispersion", "ior", "eta_red"},
                        "needs one of glass, dispersion, ior, eta_red");
 }

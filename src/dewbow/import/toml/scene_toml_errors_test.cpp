@@ -109,6 +109,8 @@ constexpr WrongScene kWrongScenes[] = {
     {"[materials.a]\ntype = \"glass\"\n§eta_rad = 4.2\nw = 0.5", "did you mean \"eta_red\"?"},
     {"§[materials.a]\ntype = \"glass\"\neta_red = 4.2", "needs w"},
     {"[materials.a]\ntype = \"glass\"\nglass = \"water\"\n§w = 0.5", "has both glass and w"},
+    {"[materials.a]\ntype = \"glass\"\nior = 1.5\n§index_reading = \"exact\"",
+     "has both ior and index_reading"},
     {"[materials.a]\ntype = \"glass\"\neta_red = §0.9\nw = 0.5",
      "eta_red is 0.9; it must be between 1 and 10"},
     {"[materials.a]\ntype = \"glass\"\neta_red = 1.5\nw = §-1", "w is -1"},

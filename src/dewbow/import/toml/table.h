@@ -31,6 +31,13 @@ public:
                          std::int64_t otherwise);
     bool boolean(std::string_view key, bool otherwise);
     std::string text(std::string_view key, std::string_view otherwise);
+    /// Sets `value` to the enumerator whose word stands at `key`, if one does.
+    /// @param words  in the order of the enumerators.
+    template <class Enum>
+    void word(std::string_view key, std::span<const std::string> words, Enum& value) {
+        if (const TomlValue* found = find(key))
+            value = static_cast<Enum>(read_choice(document_, *found, key, words));
+    }
 
     /// A length > 0 from `stem`_m, `stem`_cm or `stem`_mm.
     std::optional<Length> find_length(std::string_view stem);
