@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "command.h"
+#include "command_option.h"
 #include "dewbow/base/error.h"
 #include "dewbow/import/import.h"
 #include "dewbow/render/estimator.h"
@@ -50,13 +51,6 @@ constexpr std::string_view kSceneExamples = R"(Examples:
   dewbow scene check ring.glb --glass Diamond=gem/diamond --json
 
 Exit codes: 0 the scene can be rendered, 1 it cannot, 2 used wrongly.)";
-
-/// "a|b|c"
-std::string alternatives(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
-    return text;
-}
 
 /// "path, the spectral path tracer; …"
 std::string estimators_described() {
@@ -153,41 +147,25 @@ public:
     }
 
 private:
-    static CLI::Option* text_option(CLI::App& app, const std::string& name,
-                                    std::optional<std::string>& text, const std::string& what,
-                                    const std::string& form) {
-        return app.add_option(name, text, what)
-            ->type_name(form)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    }
-
-    static void add_flag(CLI::App& app, const std::string& name, bool& flag,
-                         const std::string& what) {
-        app.add_flag(name, flag, what)->disable_flag_override();
-    }
-
     /// The scene's file, and what is to be otherwise in it.
     static void add_scene_options(CLI::App& app, SceneTexts& t) {
-        text_option(app, "scene", t.scene, "The scene (" + endings(scene_extensions()) + ")",
-                    "FILE");
-        const auto repeatable = [&](const char* name, std::vector<std::string>& texts,
-                                    const std::string& what, const std::string& form) {
-            app.add_option(name, texts, what)->type_name(form)->allow_extra_args(false);
-        };
-        text_option(app, "--camera", t.camera, "The camera of the scene that takes the picture",
-                    "NAME");
-        text_option(app, "--frame", t.frame,
-                    "The frame of a glTF file's animations; else it is at rest", "N");
-        text_option(app, "--fps", t.fps, "Frames a second, for --frame (default 24)", "F");
-        repeatable("--glass", t.glasses, "Make a material a body of that glass; repeatable",
-                   "MATERIAL=GLASS");
-        text_option(app, "--env", t.environment,
-                    "Surround the scene with this picture (.exr, .hdr) instead of its own "
-                    "environment",
-                    "FILE");
-        repeatable("--set", t.settings,
-                   "Put a value into the scene file, or above a file of another format; repeatable",
-                   "PATH=VALUE");
+        add_option(app, "scene", t.scene, "The scene (" + endings(scene_extensions()) + ")",
+                   "FILE");
+        add_option(app, "--camera", t.camera, "The camera of the scene that takes the picture",
+                   "NAME");
+        add_option(app, "--frame", t.frame,
+                   "The frame of a glTF file's animations; else it is at rest", "N");
+        add_option(app, "--fps", t.fps, "Frames a second, for --frame (default 24)", "F");
+        add_repeatable(app, "--glass", t.glasses,
+                       "Make a material a body of that glass; repeatable", "MATERIAL=GLASS");
+        add_option(app, "--env", t.environment,
+                   "Surround the scene with this picture (.exr, .hdr) instead of its own "
+                   "environment",
+                   "FILE");
+        add_repeatable(
+            app, "--set", t.settings,
+            "Put a value into the scene file, or above a file of another format; repeatable",
+            "PATH=VALUE");
     }
 
     void add_scene() {
@@ -217,7 +195,7 @@ private:
             ->allow_extra_args(false);
         const auto add = [&](const char* name, std::optional<std::string>& text,
                              const std::string& what, const std::string& form) {
-            text_option(*render_, name, text, what, form);
+            add_option(*render_, name, text, what, form);
         };
         add("--size", t.size, "Size of the picture in pixels", "WxH");
         add("--spp", t.spp, "Samples per pixel. With --time or --noise: as many as these allow",

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "dewbow/spectrum/linear_model.h"
+#include "dewbow/spectrum/spectral_coordinate.h"
 
 namespace dewbow {
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_option.h"
 #include "dewbow/base/error.h"
 #include "dewbow/base/parse_number.h"
 #include "dewbow/optics/equivalents.h"
@@ -29,17 +30,6 @@ constexpr const char* kExamples = R"(Examples:
   dewbow glass convert --n-d 1.5 --gltf 0.4
   dewbow glass paper N-BK7 --plot n-bk7.svg
   dewbow glass paper --eta-red 4.2 --w 0.5)";
-
-void add_flag(CLI::App& app, const char* name, bool& flag, const char* what) {
-    app.add_flag(name, flag, what)->disable_flag_override();
-}
-
-CLI::Option* add_option(CLI::App& app, const std::string& name, auto& text, const std::string& what,
-                        const std::string& form) {
-    return app.add_option(name, text, what)
-        ->type_name(form)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
 
 CLI::App* add_subcommand(CLI::App& glass, const char* name, const char* what) {
     CLI::App* app = glass.add_subcommand(name, what);
@@ -102,9 +92,8 @@ void GlassCommandLine::add_show(CLI::App& glass) {
     add_option(*show_, "name", only_,
                "Name (the maker may be left out where the rest is unique), or FILE.agf#NAME",
                "NAME");
-    show_->add_option("--at", at_, "Show the index at this vacuum wavelength or line; repeatable")
-        ->type_name("500nm|D")
-        ->allow_extra_args(false);
+    add_repeatable(*show_, "--at", at_,
+                   "Show the index at this vacuum wavelength or line; repeatable", "500nm|D");
     add_option(*show_, "--plot", plot_, "Write n over the wavelength and the Abbe diagram here",
                "FILE.svg");
     add_flag(*show_, "--json", json_, "Print JSON");
@@ -113,10 +102,8 @@ void GlassCommandLine::add_show(CLI::App& glass) {
 void GlassCommandLine::add_compare(CLI::App& glass) {
     compare_ = add_subcommand(glass, "compare", "Show several side by side");
     compare_->add_option("names", names_, "Names or FILE.agf#NAME")->type_name("NAME ...");
-    compare_
-        ->add_option("--at", at_, "Show the index at this vacuum wavelength or line; repeatable")
-        ->type_name("500nm|D")
-        ->allow_extra_args(false);
+    add_repeatable(*compare_, "--at", at_,
+                   "Show the index at this vacuum wavelength or line; repeatable", "500nm|D");
     add_option(*compare_, "--plot", plot_, "Write n over the wavelength and the Abbe diagram here",
                "FILE.svg");
     add_flag(*compare_, "--json", json_, "Print JSON");
@@ -154,7 +141,7 @@ void GlassCommandLine::add_paper(CLI::App& glass) {
     add_option(*paper_, "--eta-red", eta_red_, "Index at the far red, 800 nm", "4.2");
     add_option(*paper_, "--w", w_, "Dispersive power (n_F - n_C)/(n_D - 1)", "0.5");
     add_option(*paper_, "--spacing", spacing_, "What the index is straight in (frequency)",
-               "frequency|wavelength");
+               alternatives(spectral_spacing_names()));
     add_option(*paper_, "--plot", plot_,
                "Write the indices and the formulas' errors here; alone: all glasses, and Fig. 3.1",
                "FILE.svg");
@@ -218,13 +205,13 @@ GlassConvertCommand GlassCommandLine::convert_command() const {
 }
 
 GlassPaperCommand GlassCommandLine::paper_command() const {
-    static const std::vector<std::string> kSpacings{"frequency", "wavelength"};
     GlassPaperCommand command;
     command.name = only_;
     command.json = json_;
     command.plot = checked_file("--plot", plot_, ".svg");
-    if (spacing_ && parse_word("--spacing", *spacing_, kSpacings) == 1)
-        command.spacing = SpectralSpacing::wavelength;
+    if (spacing_)
+        command.spacing = static_cast<SpectralSpacing>(
+            parse_word("--spacing", *spacing_, spectral_spacing_names()));
     if (!only_.empty() && (!eta_red_.empty() || !w_.empty()))
         throw UsageError("a glass is named, and numbers are given: one of them is too many");
     if (eta_red_.empty() != w_.empty())

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "command_option.h"
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/models.h"
 #include "glass_facts.h"
@@ -28,33 +29,6 @@ constexpr const char* kExamples = R"(Examples:
 
 Angles are scattering angles: 0 is forward, and 180 minus it the distance from the antisolar point.
 Exit codes: 0 done, 1 failed, 2 used wrongly.)";
-
-void add_flag(CLI::App& app, const char* name, bool& flag, const char* what) {
-    app.add_flag(name, flag, what)->disable_flag_override();
-}
-
-void add_option(CLI::App& app, const char* name, std::optional<std::string>& text,
-                const std::string& what, const std::string& form) {
-    app.add_option(name, text, what)
-        ->type_name(form)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
-
-void add_repeatable(CLI::App& app, const char* name, std::vector<std::string>& texts,
-                    const std::string& what, const std::string& form) {
-    app.add_option(name, texts, what)->type_name(form)->allow_extra_args(false);
-}
-
-template <class Row, class Name>
-std::string alternatives(const std::vector<Row>& rows, Name name) {
-    std::string text;
-    for (const Row& row : rows) text += (text.empty() ? "" : "|") + std::string(name(row));
-    return text;
-}
-
-std::string alternatives(const std::vector<std::string>& words) {
-    return alternatives(words, [](const std::string& word) { return word; });
-}
 
 std::string models_described() {
     std::string text;
@@ -182,11 +156,9 @@ void RainbowCommandLine::add_view() {
 }
 
 void RainbowCommandLine::add_output() {
-    rainbow_
-        ->add_option("-o,--output", outputs_,
-                     "A file to write, by its ending; repeatable: " + rainbow_outputs_described())
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+    add_repeatable(*rainbow_, "-o,--output", outputs_,
+                   "A file to write, by its ending; repeatable: " + rainbow_outputs_described(),
+                   "FILE");
     add_repeatable(*rainbow_, "--plot", plots_, "A plot to write; repeatable: " + plots_described(),
                    "KIND=FILE");
     add_flag(*rainbow_, "--amplitudes", amplitudes_,

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_option.h"
 #include "dewbow/base/error.h"
 #include "dewbow/spectrum/monitors.h"
 #include "option_value.h"
@@ -26,28 +27,6 @@ constexpr const char* kExamples = R"(Examples:
   dewbow spectrum --colours empirical --gamma 2.5 -o strip.png
 
 Exit codes: 0 done, 1 failed, 2 used wrongly.)";
-
-void add_flag(CLI::App& app, const char* name, bool& flag, const char* what) {
-    app.add_flag(name, flag, what)->disable_flag_override();
-}
-
-void add_option(CLI::App& app, const char* name, std::optional<std::string>& text,
-                const std::string& what, const std::string& form) {
-    app.add_option(name, text, what)
-        ->type_name(form)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
-
-void add_repeatable(CLI::App& app, const char* name, std::vector<std::string>& texts,
-                    const std::string& what, const std::string& form) {
-    app.add_option(name, texts, what)->type_name(form)->allow_extra_args(false);
-}
-
-std::string alternatives(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
-    return text;
-}
 
 std::vector<PlotKind> plot_kinds() {
     std::vector<PlotKind> kinds;
@@ -156,6 +135,9 @@ std::optional<SpectrumCommand> SpectrumCommandLine::command() const {
     command.sampling = sampling();
     if (sets_) command.sets = int(parse_integer("--sets", *sets_, 1, kMostSets));
     if (seed_) command.seed = parse_seed("--seed", *seed_);
+    if ((sets_ || seed_) && !colours_move(command.sampling.jitter))
+        throw UsageError("--sets and --seed are of samples whose colours move",
+                         "expected --jitter colour or --jitter both");
     if (gamma_) command.gamma = parse_real("--gamma", *gamma_, kLeastGamma, kMostGamma);
     for (const std::string& output : outputs_)
         command.outputs.push_back(parse_file_name("--output", output, spectrum_output_endings()));

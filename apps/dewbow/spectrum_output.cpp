@@ -19,8 +19,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kCurveSteps = 1300;  ///< hits the nodes of the linear curves
 
-std::vector<double> numbers(const MonitorRgb& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
-
 std::string curves_csv(const SpectrumSetup& setup) {
     std::string text = fmt::format(
         "# {}; each channel as a share of white per unit of f, of area 1\n"
@@ -49,13 +47,15 @@ Json model_json(const SpectrumSetup& setup) {
     return json;
 }
 
+Json place_json(const SpectrumSetup& setup, double f, const MonitorRgb& rgb) {
+    return {{"f", f}, {"lambda_nm", setup.model().wavelength(f).to(unit::nm)}, {"rgb", rgb.v}};
+}
+
 Json samples_json(const SpectrumSetup& setup) {
     Json list = Json::array();
     for (int k = 0; k < setup.command().sampling.samples; ++k) {
         const SpectralSample sample = setup.prepared().sample(k, 0.5);
-        list.push_back({{"f", sample.f_colour},
-                        {"lambda_nm", setup.model().wavelength(sample.f_colour).to(unit::nm)},
-                        {"rgb", numbers(sample.rgb)}});
+        list.push_back(place_json(setup, sample.f_colour, sample.rgb));
     }
     return list;
 }
@@ -81,17 +81,15 @@ Json summary(const SpectrumSetup& setup) {
               {"correlated", s.correlated},
               {"tailored", s.tailored}}},
             {"samples", samples_json(setup)},
-            {"fixed_sum", numbers(setup.prepared().raw_tint())},
+            {"fixed_sum", setup.prepared().raw_tint().v},
             {"white", white_json(setup)}};
 }
 
 std::string json_with_curves(const SpectrumSetup& setup) {
     Json json = summary(setup);
     Json& curves = json["curves_per_f"] = Json::array();
-    for (const double f : setup.steps(kCurveSteps)) {
-        const MonitorRgb rgb = setup.model().density(f);
-        curves.push_back({f, setup.model().wavelength(f).to(unit::nm), rgb[0], rgb[1], rgb[2]});
-    }
+    for (const double f : setup.steps(kCurveSteps))
+        curves.push_back(place_json(setup, f, setup.model().density(f)));
     return json.dump(1) + "\n";
 }
 
@@ -169,10 +167,10 @@ std::string spectrum_text(const SpectrumSetup& setup) {
     }
     if (samples > kMostShown) text += fmt::format("  … {} more\n", samples - kMostShown);
     const MonitorRgb tint = setup.prepared().raw_tint();
-    const bool moving = colours_move(setup.command().sampling);
+    const bool moving = colours_move(setup.command().sampling.jitter);
     text += fmt::format("  {}: {:.4f} {:.4f} {:.4f}\n",
-                        moving ? "their sum" : "their sum was, before white was divided by it",
-                        tint[0], tint[1], tint[2]);
+                        moving ? "their sum" : "their sum, before it was divided out", tint[0],
+                        tint[1], tint[2]);
     return moving ? text + white_text(setup) : text;
 }
 

@@ -89,7 +89,7 @@ Table tint_by_number(const SpectrumSetup& setup) {
 
 Table table_of(const SpectrumSetup& setup) {
     const SpectralSampling& sampling = setup.command().sampling;
-    if (!colours_move(sampling)) return tint_by_number(setup);
+    if (!colours_move(sampling.jitter)) return tint_by_number(setup);
     const SpectrumWhite white = measure_white(setup);
     return sampling.correlated ? over_offset(white) : histogram(white);
 }

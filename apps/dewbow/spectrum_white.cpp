@@ -32,13 +32,9 @@ WhiteChannel channel_of(const std::vector<MonitorRgb>& sums, std::size_t c) {
 
 }  // namespace
 
-bool colours_move(const SpectralSampling& sampling) {
-    return sampling.jitter == Jitter::colour || sampling.jitter == Jitter::both;
-}
-
 SpectrumWhite measure_white(const SpectrumSetup& setup) {
     const SpectrumCommand& command = setup.command();
-    const int sets = colours_move(command.sampling) ? command.sets : 1;
+    const int sets = colours_move(command.sampling.jitter) ? command.sets : 1;
     const std::uint64_t stream = stream_key(command.seed, 0, 0);
     std::vector<double> offsets(setup.prepared().offset_count());
     std::vector<SpectralSample> samples(std::size_t(command.sampling.samples));

@@ -26,7 +26,5 @@ struct SpectrumWhite {
 /// Colours that move: `sets` of the command, at even common offsets or at random ones. Else one
 /// set.
 SpectrumWhite measure_white(const SpectrumSetup& setup);
-/// True if the colours of samples move.
-bool colours_move(const SpectralSampling& sampling);
 
 }  // namespace dewbow
