@@ -213,9 +213,12 @@ public:
         RTCRayHit8 hit;
         for (std::size_t k = 0; k < 8; ++k) {
             valid[k] = packet.mask >> k & 1u ? -1 : 0;
-            hit.ray.org_x[k] = float(packet.rays.ox[k]), hit.ray.dir_x[k] = float(packet.rays.dx[k]);
-            hit.ray.org_y[k] = float(packet.rays.oy[k]), hit.ray.dir_y[k] = float(packet.rays.dy[k]);
-            hit.ray.org_z[k] = float(packet.rays.oz[k]), hit.ray.dir_z[k] = float(packet.rays.dz[k]);
+            hit.ray.org_x[k] = float(packet.rays.ox[k]),
+            hit.ray.dir_x[k] = float(packet.rays.dx[k]);
+            hit.ray.org_y[k] = float(packet.rays.oy[k]),
+            hit.ray.dir_y[k] = float(packet.rays.dy[k]);
+            hit.ray.org_z[k] = float(packet.rays.oz[k]),
+            hit.ray.dir_z[k] = float(packet.rays.dz[k]);
             hit.ray.tnear[k] = start_of(packet.rays.from[k]);
             hit.ray.tfar[k] = std::numeric_limits<float>::infinity();
             hit.ray.time[k] = 0.0f, hit.ray.mask[k] = ~0u, hit.ray.flags[k] = 0;
@@ -341,9 +344,9 @@ void measure(const Material& material, const std::shared_ptr<const Mesh>& mesh,
         if (records.rays(kind) == 0) continue;
         const Times& t = times[std::size_t(k)];
         char same[16];
-        std::snprintf(same, sizeof same, "%.3f %%",
-                      100.0 * agreement(trace_all(as_ours, records, kind),
-                                        trace_all(ours, records, kind)));
+        std::snprintf(
+            same, sizeof same, "%.3f %%",
+            100.0 * agreement(trace_all(as_ours, records, kind), trace_all(ours, records, kind)));
         print_row(material.name, kKindNames[std::size_t(k)], records.rays(kind), median(t.as_ours),
                   median(t.defaults), median(t.ours), same);
         rays += records.rays(kind);
@@ -373,11 +376,12 @@ Options read_options(const std::vector<std::string>& words) {
 
 void run(const Options& options) {
     const auto mesh = bumpy_ball(options.triangles);
-    std::printf("%zu triangles; Mray / CPU s; shares of Embree with our flags, and of Embree's "
-                "defaults; rays that hit the same\n\n"
-                "| ball | rays | number | Embree, our flags | Embree, defaults | ours | of the first "
-                "| of the second | same |\n|---|---|---|---|---|---|---|---|---|\n",
-                mesh->triangles.size());
+    std::printf(
+        "%zu triangles; Mray / CPU s; shares of Embree with our flags, and of Embree's "
+        "defaults; rays that hit the same\n\n"
+        "| ball | rays | number | Embree, our flags | Embree, defaults | ours | of the first "
+        "| of the second | same |\n|---|---|---|---|---|---|---|---|---|\n",
+        mesh->triangles.size());
     measure({"grey", Diffuse{make_constant(0.5)}}, mesh, options);
     const auto flint = std::make_shared<Medium>(
         Medium{"flint", make_dispersion(find_glass("schott/SF11").data), nullptr, 0});

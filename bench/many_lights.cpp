@@ -6,10 +6,10 @@
 //
 //     bench_many_lights [lamps…]          default: 1 3 10 100 1000 10000
 //
-// Each pixel is one point, so that the true picture is a sum over all lamps, with a shadow ray each,
-// and has no noise of its own. One thread; time is the processor's, the search for the point that a
-// pixel shows left out. A table in Markdown: MSE of Y over the square of the mean Y, nanoseconds a
-// sample, and 1 / (MSE × CPU s) as a ratio to the choice by power.
+// Each pixel is one point, so that the true picture is a sum over all lamps, with a shadow ray
+// each, and has no noise of its own. One thread; time is the processor's, the search for the point
+// that a pixel shows left out. A table in Markdown: MSE of Y over the square of the mean Y,
+// nanoseconds a sample, and 1 / (MSE × CPU s) as a ratio to the choice by power.
 
 #include <cmath>
 #include <cstdio>
@@ -47,9 +47,9 @@ std::vector<PointLight> make_lamps(int count) {
     for (std::uint32_t i = 0; i < std::uint32_t(count); ++i) {
         const auto at = scene_numbers(i, 0), u = scene_numbers(i, 1);
         const double intensity = 500.0 / count * std::exp(3.0 * u[0]);
-        lamps.push_back({{{kHall_m * (at[0] - 0.5), kCeiling_m - 0.5 * u[1],
-                           kHall_m * (at[1] - 0.5)}},
-                         make_constant(intensity)});
+        lamps.push_back(
+            {{{kHall_m * (at[0] - 0.5), kCeiling_m - 0.5 * u[1], kHall_m * (at[1] - 0.5)}},
+             make_constant(intensity)});
     }
     return lamps;
 }
@@ -203,6 +203,7 @@ int main(int argc, char** argv) {
     std::vector<int> counts;
     for (int i = 1; i < argc; ++i) counts.push_back(std::stoi(argv[i]));
     if (counts.empty()) counts = {1, 3, 10, 100, 1000, 10000};
-    std::printf("| lamps | choice | MSE | ns a sample | 1 / (MSE × CPU s) |\n|---|---|---|---|---|\n");
+    std::printf(
+        "| lamps | choice | MSE | ns a sample | 1 / (MSE × CPU s) |\n|---|---|---|---|---|\n");
     for (const int count : counts) dewbow::bench::compare(count);
 }

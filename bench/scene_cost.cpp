@@ -85,10 +85,11 @@ Scene load_hills(std::size_t triangles, double& read_s) {
         std::filesystem::temp_directory_path() / ("dewbow_scene_cost_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     write_hills(folder / "hills.ply", triangles);
-    std::ofstream(folder / "scene.toml") << "[materials.grey]\ntype = \"diffuse\"\nreflectance = 0.5\n"
-                                            "[[shapes]]\ntype = \"mesh\"\nmaterial = \"grey\"\n"
-                                            "file = \"hills.ply\"\n"
-                                            "[[lights]]\ntype = \"environment\"\nradiance = 1\n";
+    std::ofstream(folder / "scene.toml")
+        << "[materials.grey]\ntype = \"diffuse\"\nreflectance = 0.5\n"
+           "[[shapes]]\ntype = \"mesh\"\nmaterial = \"grey\"\n"
+           "file = \"hills.ply\"\n"
+           "[[lights]]\ntype = \"environment\"\nradiance = 1\n";
     const double start = cpu_s();
     Scene scene = load_scene(folder / "scene.toml").scene;
     read_s = cpu_s() - start;
@@ -125,9 +126,10 @@ Scene scatter(const Geometry& unit_ball, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const auto [x, y, z] = numbers(1, i, 0);
         const auto [a, b, turn] = numbers(1, i, 1);
-        const Affine place = translation({2.0 * x - 1.0, 2.0 * y - 1.0, 2.0 * z - 1.0}) *
-                             rotation(sample_uniform_sphere<World>(a, b).v, turn * 360.0 * unit::deg) *
-                             scaling({radius, radius, radius});
+        const Affine place =
+            translation({2.0 * x - 1.0, 2.0 * y - 1.0, 2.0 * z - 1.0}) *
+            rotation(sample_uniform_sphere<World>(a, b).v, turn * 360.0 * unit::deg) *
+            scaling({radius, radius, radius});
         scene.shapes.push_back({"ball", unit_ball, Transform<World, Object>(place), 0});
     }
     return scene;
@@ -136,8 +138,7 @@ Scene scatter(const Geometry& unit_ball, std::size_t count) {
 /// The same, each with a mesh of its own.
 Scene scatter_own(std::size_t count) {
     Scene scene = scatter(ball_of_1000(), count);
-    for (Shape& shape : scene.shapes)
-        shape.geometry = std::shared_ptr<const Mesh>(ball_of_1000());
+    for (Shape& shape : scene.shapes) shape.geometry = std::shared_ptr<const Mesh>(ball_of_1000());
     return scene;
 }
 
@@ -179,8 +180,9 @@ void measure(const std::string& kind, std::size_t count, const Options& options)
 }
 
 void run(const Options& options) {
-    std::printf("| case | triangles or shapes | read, CPU s | prepare, CPU s | GiB when read | "
-                "GiB at most | Mray / CPU s |\n|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| case | triangles or shapes | read, CPU s | prepare, CPU s | GiB when read | "
+        "GiB at most | Mray / CPU s |\n|---|---|---|---|---|---|---|\n");
     std::fflush(stdout);
     for (const std::string kind : {"mesh", "shared", "own", "sphere"}) {
         if (options.cases.find(kind) == std::string::npos) continue;

@@ -67,7 +67,8 @@ FilmSums film_of(const Unit& unit, FilmLayout layout) {
 }
 
 struct Costs {
-    double estimator_s = 0.0, colours_s = 0.0, luminance = 0.0, film_s = 0.0, units_s = 0.0, copy_s = 0.0, longest_copy_s = 0.0;
+    double estimator_s = 0.0, colours_s = 0.0, luminance = 0.0, film_s = 0.0, units_s = 0.0,
+           copy_s = 0.0, longest_copy_s = 0.0;
     std::size_t units = 0;
 };
 

@@ -7,7 +7,7 @@ mode=(--dry-run -Werror)
 [[ ${1:-} == --fix ]] && mode=(-i)
 
 folders=()
-for folder in src apps tests examples; do
+for folder in src apps tests examples bench; do
     [[ -d $folder ]] && folders+=("$folder")
 done
 find "${folders[@]}" -name '*.h' -print0 -o -name '*.cpp' -print0 |

@@ -19,11 +19,12 @@ TEST(DispersedSource, ClosedFormIsTheLimitOfManySamples) {
     // 1300 samples integrate piecewise linear curves by midpoints to 1e-6 of white.
     constexpr int kMany = 1300;
     constexpr double kMidpoints = 2e-6;
-    for (const Sight& sight : {Sight{36.0, 0.5, 0.25}, Sight{300.0, 30.0, 4.7}, Sight{80.0, 400.0, 1.0}})
+    for (const Sight& sight :
+         {Sight{36.0, 0.5, 0.25}, Sight{300.0, 30.0, 4.7}, Sight{80.0, 400.0, 1.0}})
         for (double angle = -250.0; angle < 550.0; angle += 7.3)
-            EXPECT_LT(distance(seen_in_the_limit(sight, angle),
-                               seen_with_samples(sight, kMany, angle)),
-                      kMidpoints)
+            EXPECT_LT(
+                distance(seen_in_the_limit(sight, angle), seen_with_samples(sight, kMany, angle)),
+                kMidpoints)
                 << sight.spread << " " << angle;
 }
 

@@ -70,7 +70,8 @@ Colour<Opponent> edge_in_the_limit(const Sight& sight, double angle) {
             const double sigma = blur(lobe, sight), share = sigma / sight.spread;
             double sum = 0.0;
             for (const Bend& bend : all)
-                sum += bend.change[c] * phi_twice_integrated((angle - sight.spread * bend.f) / sigma);
+                sum +=
+                    bend.change[c] * phi_twice_integrated((angle - sight.spread * bend.f) / sigma);
             seen[c] += lobe.weight * share * share * sum;
         }
     return seen;
@@ -99,8 +100,8 @@ Colour<Opponent> edge_with(const std::vector<Sample>& set, const Sight& sight, d
         for (const Lobe& lobe : lobes(c)) {
             const double scale = 1.0 / blur(lobe, sight);
             for (const Sample& sample : set)
-                seen[c] += lobe.weight * sample.colour[c] *
-                           phi((angle - sight.spread * sample.f) * scale);
+                seen[c] +=
+                    lobe.weight * sample.colour[c] * phi((angle - sight.spread * sample.f) * scale);
         }
     return seen;
 }
@@ -212,8 +213,8 @@ double noise(const Sight& sight, int samples, bool correlated, int sets) {
         const Matrix3 covariance = set_covariance(samples, correlated, [&](double f) {
             return std::abs(angle - sight.spread * f) <= 0.5 * sight.source ? 1.0 : 0.0;
         });
-        most = std::max(most, visible_noise(seen_in_the_limit(sight, angle), covariance, sets,
-                                            sight.pixel));
+        most = std::max(
+            most, visible_noise(seen_in_the_limit(sight, angle), covariance, sets, sight.pixel));
     }
     return most;
 }

@@ -12,9 +12,9 @@
 namespace dewbow::bench {
 namespace {
 
-constexpr Matrix3 kOpponentFromXyz{{{Triple{0.2787336, 0.7218031, -0.1065520},
-                                     Triple{-0.4487736, 0.2898056, 0.0771569},
-                                     Triple{0.0859513, -0.5899859, 0.5011089}}}};
+constexpr Matrix3 kOpponentFromXyz{
+    {{Triple{0.2787336, 0.7218031, -0.1065520}, Triple{-0.4487736, 0.2898056, 0.0771569},
+      Triple{0.0859513, -0.5899859, 0.5011089}}}};
 constexpr Matrix3 kXyzFromOpponent = inverse(kOpponentFromXyz);
 
 /// The published lobes are w exp(-r²/s²), s in degrees; their weights do not sum to 1. Black–white

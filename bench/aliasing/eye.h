@@ -35,8 +35,9 @@ double visible_difference(Colour<Opponent> a, Colour<Opponent> b);
 /// What a screen shows where it is black.          [IEC 61966-2-1: encoding viewing flare 1.0 %]
 inline constexpr double kFlare = 0.01;
 
-/// From here on a difference counts as visible: about what half of the observers find in large fields
-/// side by side, the best conditions that there are. Twice as much passes unnoticed in most pictures.
+/// From here on a difference counts as visible: about what half of the observers find in large
+/// fields side by side, the best conditions that there are. Twice as much passes unnoticed in most
+/// pictures.
 inline constexpr double kJustVisible = 1.0;
 
 /// Covariance of what is seen at the middle of a square pixel when each pixel has noise of its own

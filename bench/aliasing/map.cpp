@@ -7,9 +7,10 @@
 //     bench_aliasing_map [aliasing-map.csv] [aliasing-map.svg]
 //     bench_aliasing_map --check
 //
-// The table has, for each prism, source and N, the largest CIEDE2000 difference of fixed samples, and
-// the root mean square of the noise of jittered and correlated ones. The plot shows how large the
-// spread may be before N fixed samples show. With --check some places of the map are rendered instead.
+// The table has, for each prism, source and N, the largest CIEDE2000 difference of fixed samples,
+// and the root mean square of the noise of jittered and correlated ones. The plot shows how large
+// the spread may be before N fixed samples show. With --check some places of the map are rendered
+// instead.
 
 #include <fmt/format.h>
 
@@ -61,19 +62,19 @@ std::string csv_lines(const Row& row) {
     std::string lines;
     const double spread = row.prism.spread_arcmin, width = row.source.width_arcmin;
     for (const int n : kCounts)
-        lines += fmt::format(
-            "{},{},{:.4f},{:.2f},{},{:g},{},{:.3f},{:.3f},{:.3f},{:.3f}\n", row.prism.name, row.index,
-            row.prism.w, spread, row.source.name, width, n, aliasing({spread, width, kFinePixel}, n),
-            aliasing({spread, width, kPixelOf1989}, n),
-            noise({spread, width, kNoisePixel}, n, false, kSets),
-            noise({spread, width, kNoisePixel}, n, true, kSets));
+        lines += fmt::format("{},{},{:.4f},{:.2f},{},{:g},{},{:.3f},{:.3f},{:.3f},{:.3f}\n",
+                             row.prism.name, row.index, row.prism.w, spread, row.source.name, width,
+                             n, aliasing({spread, width, kFinePixel}, n),
+                             aliasing({spread, width, kPixelOf1989}, n),
+                             noise({spread, width, kNoisePixel}, n, false, kSets),
+                             noise({spread, width, kNoisePixel}, n, true, kSets));
     return lines;
 }
 
 std::string csv() {
     std::vector<Row> rows;
-    for (const auto& [index, prisms] : {std::pair{"paper", paper_prisms(kApex)},
-                                        std::pair{"real", real_prisms(kApex)}})
+    for (const auto& [index, prisms] :
+         {std::pair{"paper", paper_prisms(kApex)}, std::pair{"real", real_prisms(kApex)}})
         for (const Prism& prism : prisms)
             for (const Source& source : kSources) rows.push_back({index, prism, source});
     std::vector<std::string> parts(rows.size());
@@ -150,9 +151,9 @@ PlotPanel white_noise_panel() {
 void print_thresholds(const PlotPanel& map) {
     std::printf("%s\n", map.title.c_str());
     for (const PlotCurve& curve : map.curves) {
-        const auto [least, most] = std::minmax_element(
-            curve.points.begin(), curve.points.end(),
-            [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
+        const auto [least, most] =
+            std::minmax_element(curve.points.begin(), curve.points.end(),
+                                [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
         std::printf("    %3s samples show from a spread of %.1f' to %.1f'\n", curve.label.c_str(),
                     least->y, most->y);
     }
@@ -172,16 +173,18 @@ void run(const std::string& table, const std::string& plot) {
 constexpr double kEvenSpread = 60.0;
 
 void check() {
-    std::printf("| prism, paper's line | source | samples | closed form | rendered |\n"
-                "|---|---|---|---|---|\n");
+    std::printf(
+        "| prism, paper's line | source | samples | closed form | rendered |\n"
+        "|---|---|---|---|---|\n");
     for (const Prism& prism : paper_prisms(kApex)) {
         if (prism.spread_arcmin > kEvenSpread) break;
         for (const Source& source : {kSources[1], kSources[4], kSources[6]})
             for (const int samples : {7, 13, 31}) {
                 const Sight sight{prism.spread_arcmin, source.width_arcmin, kNoisePixel};
-                std::printf("| %s | %g' | %d | %.2f | %.2f |\n", prism.name.c_str(),
-                            source.width_arcmin, samples, aliasing(sight, samples),
-                            rendered_aliasing(prism, kApex, source.width_arcmin, kNoisePixel, samples));
+                std::printf(
+                    "| %s | %g' | %d | %.2f | %.2f |\n", prism.name.c_str(), source.width_arcmin,
+                    samples, aliasing(sight, samples),
+                    rendered_aliasing(prism, kApex, source.width_arcmin, kNoisePixel, samples));
                 std::fflush(stdout);
             }
     }

@@ -19,8 +19,9 @@ struct Substance {
     double times;  ///< its dispersive power, by which its slope is multiplied
 };
 constexpr Substance kSubstances[] = {
-    {"water", "fluid/water", 1.0}, {"BK7", "schott/N-BK7", 1.0},    {"F2", "schott/F2", 1.0},
-    {"SF11", "schott/SF11", 1.0},  {"2 × SF11", "schott/SF11", 2.0}, {"4 × SF11", "schott/SF11", 4.0},
+    {"water", "fluid/water", 1.0},    {"BK7", "schott/N-BK7", 1.0},
+    {"F2", "schott/F2", 1.0},         {"SF11", "schott/SF11", 1.0},
+    {"2 × SF11", "schott/SF11", 2.0}, {"4 × SF11", "schott/SF11", 4.0},
 };
 
 double against_air(const Dispersion& dispersion, Wavelength lambda) {
@@ -37,7 +38,8 @@ std::vector<Prism> prisms(Angle apex, const Slope& slope_of) {
         prism.name = substance.name;
         prism.w = substance.times * dispersive_power(index_in_air(dispersion));
         prism.eta_red = against_air(*dispersion, kPaperRed);
-        prism.slope = substance.times * slope_of(*dispersion, prism.eta_red, prism.w / substance.times);
+        prism.slope =
+            substance.times * slope_of(*dispersion, prism.eta_red, prism.w / substance.times);
         if (const auto spread = spread_arcmin(prism.eta_red, prism.slope, apex)) {
             prism.spread_arcmin = *spread;
             result.push_back(prism);

@@ -18,8 +18,8 @@ struct Prism {
     double spread_arcmin = 0.0;
 };
 
-/// Spread of light that passes at minimum deviation for f = 1/2; nothing where a colour is reflected
-/// totally.
+/// Spread of light that passes at minimum deviation for f = 1/2; nothing where a colour is
+/// reflected totally.
 std::optional<double> spread_arcmin(double eta_red, double slope, Angle apex);
 
 /// Prisms of `apex` from water to four times SF11's dispersive power: of real glasses by their

@@ -39,10 +39,10 @@ Scene slit_through_prism(const Prism& prism, Angle apex, double width_arcmin, do
         const int id = scene.add(std::move(material));
         scene.shapes.push_back({"", std::move(geometry), Transform<World, Object>(place), id});
     };
-    const auto medium = std::make_shared<Medium>(Medium{
-        "glass", paper_index(prism.eta_red, prism.w, IndexReading::intended), nullptr, 0});
-    add(dewbow::Prism{apex, 1.0 * m, 1.0 * m}, {"glass", Dielectric{medium, 0.0, nullptr}, nullptr, false},
-        {});
+    const auto medium = std::make_shared<Medium>(
+        Medium{"glass", paper_index(prism.eta_red, prism.w, IndexReading::intended), nullptr, 0});
+    add(dewbow::Prism{apex, 1.0 * m, 1.0 * m},
+        {"glass", Dielectric{medium, 0.0, nullptr}, nullptr, false}, {});
     // As bright as white behind both faces.
     const double bright = 1.0 / ((1.0 - reflected) * (1.0 - reflected));
     const double width = 2.0 * kFar * std::tan(0.5 * arcmin(width_arcmin).to(unit::rad));

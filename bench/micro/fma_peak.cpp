@@ -29,15 +29,12 @@ template <int kLanes>
     return total;
 }
 
-double plain(double factor, double addend) {
-    return chains<2>(factor, addend);
-}
+double plain(double factor, double addend) { return chains<2>(factor, addend); }
 #if defined(__x86_64__) && defined(__GNUC__)
 [[gnu::target("avx2,fma")]] double avx2(double factor, double addend) {
     return chains<4>(factor, addend);
 }
-[[gnu::target("avx2,fma,avx512f")]] double avx512(double factor,
-                                                                         double addend) {
+[[gnu::target("avx2,fma,avx512f")]] double avx512(double factor, double addend) {
     return chains<8>(factor, addend);
 }
 #endif

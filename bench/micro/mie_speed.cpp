@@ -45,8 +45,7 @@ std::vector<double> cosines() {
 double wiscombe_seconds(double x, bool symmetric) {
     const std::vector<double> mu = cosines();
     std::vector<std::complex<double>> S1(mu.size()), S2(mu.size());
-    return least_cpu_seconds(kRepeats,
-                             [&] { wiscombe_mie(x, kIndex, mu, symmetric, S1, S2); });
+    return least_cpu_seconds(kRepeats, [&] { wiscombe_mie(x, kIndex, mu, symmetric, S1, S2); });
 }
 
 double seconds_alone(const AmplitudeModel& mie, double x) {
@@ -62,7 +61,9 @@ double seconds_together(const ScatteringModel& mie, double x) {
     for (int i = 0; i < kSpheres; ++i) drops.push_back({x * (0.9 + 0.2 * i / (kSpheres - 1))});
     std::vector<Intensities> I(drops.size() * theta.size());
     return least_cpu_seconds(kRepeats / 3,
-                             [&] { mie.intensities({kIndex, 0.0}, drops, theta, I); }) /
+                             [&] {
+                                 mie.intensities({kIndex, 0.0}, drops, theta, I);
+                             }) /
            kSpheres;
 }
 
@@ -76,9 +77,10 @@ void run() {
     const std::string_view variant = variant_in_use();
     const double peak = multiply_adds_per_second(variant);
     fmt::print("{}, peak {:.1f} G multiply-adds a second\n", variant, 1e-9 * peak);
-    fmt::print("CPU ms a sphere, S1 and S2 at {} angles, index {}; share of Wiscombe's time on "
-               "symmetric angles (targets {}, {}) and of the peak\n\n",
-               kSteps + 1, kIndex, kTargetAlone, kTargetTogether);
+    fmt::print(
+        "CPU ms a sphere, S1 and S2 at {} angles, index {}; share of Wiscombe's time on "
+        "symmetric angles (targets {}, {}) and of the peak\n\n",
+        kSteps + 1, kIndex, kTargetAlone, kTargetTogether);
     fmt::print("{:>6} {:>9} {:>10} {:>8} {:>6} {:>6} {:>9} {:>6} {:>6}\n", "x", "Wiscombe",
                "symmetric", "alone", "share", "peak", "together", "share", "peak");
     const auto model = make_scattering_model("mie");
@@ -87,10 +89,10 @@ void run() {
         const double any = wiscombe_seconds(x, false), symmetric = wiscombe_seconds(x, true);
         const double alone = seconds_alone(mie, x), together = seconds_together(mie, x);
         const double adds = 4.0 * term_count(x) * (kSteps + 1);
-        fmt::print("{:>6} {:>9.3f} {:>10.3f} {:>8.4f} {:>6.3f} {:>6.2f} {:>9.4f} {:>6.3f} {:>6.2f}\n",
-                   x, 1e3 * any, 1e3 * symmetric, 1e3 * alone, alone / symmetric,
-                   adds / alone / peak, 1e3 * together, together / symmetric,
-                   adds / together / peak);
+        fmt::print(
+            "{:>6} {:>9.3f} {:>10.3f} {:>8.4f} {:>6.3f} {:>6.2f} {:>9.4f} {:>6.3f} {:>6.2f}\n", x,
+            1e3 * any, 1e3 * symmetric, 1e3 * alone, alone / symmetric, adds / alone / peak,
+            1e3 * together, together / symmetric, adds / together / peak);
     }
 }
 

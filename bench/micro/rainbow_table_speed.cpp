@@ -54,9 +54,8 @@ double wiscombe_table_seconds() {
     for (int k = 0; k < kSizes; ++k) {
         const Wavelength lambda = (400.0 + 300.0 * (k + 0.5) / kSizes) * nm;
         const double x = optics.size_parameter(0.5 * mm, lambda);
-        sum += least_cpu_seconds(kTries, [&] {
-            wiscombe_mie(x, optics.index(lambda).value, mu, false, S1, S2);
-        });
+        sum += least_cpu_seconds(
+            kTries, [&] { wiscombe_mie(x, optics.index(lambda).value, mu, false, S1, S2); });
     }
     return sum / kSizes * kWavelengths * kRadii;
 }
@@ -88,22 +87,24 @@ void run() {
     fmt::print("1801 angles x 400 wavelengths x 100 radii around 0.5 mm\n");
     fmt::print("  Wiscombe's algorithm, from a few sizes: {:.1f} s\n", wiscombe);
     std::string report;
-    for (const auto& [name, disc] : {std::pair{"a point", SunDisc{0.0 * deg, 0.0}},
-                                     std::pair{"the sun", SunDisc{}}}) {
+    for (const auto& [name, disc] :
+         {std::pair{"a point", SunDisc{0.0 * deg, 0.0}}, std::pair{"the sun", SunDisc{}}}) {
         const double seconds = table_seconds(disc, report);
-        fmt::print("  auto, {}: {:.2f} s CPU (asked for: {:.0f}), {:.0f} times as fast (asked for: "
-                   "{:.0f})\n    {}\n",
-                   name, seconds, kTargetSeconds, wiscombe / seconds, kTargetRatio, report);
+        fmt::print(
+            "  auto, {}: {:.2f} s CPU (asked for: {:.0f}), {:.0f} times as fast (asked for: "
+            "{:.0f})\n    {}\n",
+            name, seconds, kTargetSeconds, wiscombe / seconds, kTargetRatio, report);
     }
     fmt::print("Lee table, 300 radii from 10 um to 1 mm x 601 angles x 80 wavelengths, the sun\n");
     for (const auto& [from, to] : {std::pair{136.0, 148.0}, std::pair{120.0, 150.0}}) {
         const double seconds = lee_seconds(0.05, from, to, report);
-        fmt::print("  sizes +- 5 %, {:.0f} to {:.0f} deg: {:.2f} s CPU (asked for: {:.0f})\n    {}\n",
-                   from, to, seconds, kTargetSeconds, report);
+        fmt::print(
+            "  sizes +- 5 %, {:.0f} to {:.0f} deg: {:.2f} s CPU (asked for: {:.0f})\n    {}\n",
+            from, to, seconds, kTargetSeconds, report);
     }
     const double single = lee_seconds(0.0, 136.0, 148.0, report);
-    fmt::print("  one size each, 136 to 148 deg: {:.2f} s CPU (asked for: {:.0f})\n    {}\n", single,
-               kTargetSeconds, report);
+    fmt::print("  one size each, 136 to 148 deg: {:.2f} s CPU (asked for: {:.0f})\n    {}\n",
+               single, kTargetSeconds, report);
 }
 
 }  // namespace

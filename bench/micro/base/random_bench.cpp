@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
-// Two random numbers by key, stratified and without memory, against two of a generator with a state.
+// Two random numbers by key, stratified and without memory, against two of a generator with a
+// state.
 
 #include <benchmark/benchmark.h>
 

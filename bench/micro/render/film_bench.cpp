@@ -43,7 +43,7 @@ void add_in_floating_point(benchmark::State& state) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const PixelSample& s = all[i];
             const Colour<Xyz> c = xyz_from_lanes(s.wavelengths, std::span(s.radiance).first(8));
-            const double terms[] = {c[0],        c[1],        c[2],       c[1] * c[1],
+            const double terms[] = {c[0],        c[1],        c[2],        c[1] * c[1],
                                     s.albedo[0], s.albedo[1], s.albedo[2], s.normal.x,
                                     s.normal.y,  s.normal.z,  s.depth,     1.0};
             for (std::size_t k = 0; k < 12; ++k) sums[i][k] += terms[k];
