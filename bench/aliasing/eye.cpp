@@ -13,8 +13,9 @@ namespace dewbow::bench {
 namespace {
 
 constexpr Matrix3 kOpponentFromXyz{
-    {{Triple{0.2787336, 0.7218031, -0.1065520}, Triple{-0.4487736, 0.2898056, 0.0771569},
-      Triple{0.0859513, -0.5899859, 0.5011089}}}};
+    {{Triple{0.2787336, 0.7218031, -0.1065520},     // light and dark
+      Triple{-0.4487736, 0.2898056, 0.0771569},     // red and green
+      Triple{0.0859513, -0.5899859, 0.5011089}}}};  // blue and yellow
 constexpr Matrix3 kXyzFromOpponent = inverse(kOpponentFromXyz);
 
 /// The published lobes are w exp(-r²/s²), s in degrees; their weights do not sum to 1. Black–white
