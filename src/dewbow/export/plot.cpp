@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace dewbow {
@@ -38,12 +39,33 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-/// "n_d" with its last letter as an index.
-std::string with_subscript(const std::string& text) {
-    const std::size_t at = text.size() < 3 ? std::string::npos : text.size() - 2;
-    if (at == std::string::npos || text[at] != '_') return escaped(text);
-    return fmt::format("{}<tspan dy=\"4\" font-size=\"10\">{}</tspan>", escaped(text.substr(0, at)),
-                       escaped(text.substr(at + 1)));
+/// True if the "_" at `i` stands between one letter and one letter or digit: that of "n_d".
+bool is_subscript(const std::string& text, std::size_t i) {
+    const auto in_word = [&](std::size_t at) {
+        return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+    };
+    const bool one_before = i > 0 && in_word(i - 1) && (i == 1 || !in_word(i - 2));
+    return text[i] == '_' && one_before && in_word(i + 1) && !in_word(i + 2);
+}
+
+/// "(n_F − n_C)" with F and C as indices.
+std::string with_subscripts(const std::string& text) {
+    std::string result;
+    std::size_t done = 0;
+    const auto add_up_to = [&](std::size_t end) {
+        const std::string part = escaped(text.substr(done, end - done));
+        const bool is_below = done > 0 && !part.empty();
+        result += is_below ? fmt::format("<tspan dy=\"-4\" xml:space=\"preserve\">{}</tspan>", part)
+                           : part;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (!is_subscript(text, i)) continue;
+        add_up_to(i);
+        result += fmt::format("<tspan dy=\"4\" font-size=\"10\">{}</tspan>", text[i + 1]);
+        done = i + 2;
+    }
+    add_up_to(text.size());
+    return result;
 }
 
 double text_width(const std::string& text) {
@@ -119,7 +141,7 @@ struct Box {
 std::string text_element(double x, double y, const char* anchor, const std::string& text,
                          const std::string& colour) {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n",
-                       x, y, anchor, colour, with_subscript(text));
+                       x, y, anchor, colour, with_subscripts(text));
 }
 
 /// What the labels of curves take.
@@ -222,7 +244,7 @@ private:
         out_ += fmt::format(
             "<text transform=\"translate({:.1f},{:.1f}) rotate(-90)\" "
             "text-anchor=\"middle\" fill=\"{}\">{}</text>\n",
-            x, y, kInk, with_subscript(panel_.y.label));
+            x, y, kInk, with_subscripts(panel_.y.label));
     }
 
     void write_band() {
