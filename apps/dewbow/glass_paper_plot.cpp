@@ -61,12 +61,11 @@ PlotPanel error_panel(const GlassPaper& paper) {
     for (const PaperFit& fit : paper.fits) {
         if (!last.empty() && last != fit.formula->name) ++colour;
         last = fit.formula->name;
-        panel.curves.push_back(
-            curve_of(fmt::format("{} ({})", fit.formula->name, fit.formula->constants), colour,
-                     !fit.formula->right, [&](double nm) {
-                         return std::max(std::abs(fit.narrow.index(1e-3 * nm) - paper.real(nm)),
-                                         kLeastError);
-                     }));
+        panel.curves.push_back(curve_of(
+            fmt::format("{} ({})", fit.formula->name, fit.formula->constants), colour,
+            !fit.formula->right, [&](double nm) {
+                return std::max(std::abs(fit.narrow.index(nm) - paper.real(nm)), kLeastError);
+            }));
     }
     return panel;
 }

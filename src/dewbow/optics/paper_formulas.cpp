@@ -10,24 +10,29 @@
 namespace dewbow {
 namespace {
 
-using Basis = std::vector<std::function<double(double lambda_um)>>;
+/// Of λ in µm, in air.
+using Term = std::function<double(double l)>;
+using Basis = std::vector<Term>;
 using Samples = std::span<const IndexSample>;
 
-double middle_of(Samples samples) {
-    return 0.5 * (samples.front().lambda_um + samples.back().lambda_um);
+double um(const IndexSample& sample) { return 1e-3 * sample.air_nm; }
+double middle_of(Samples samples) { return 0.5 * (um(samples.front()) + um(samples.back())); }
+
+IndexInAir index_of(auto formula) {
+    return [formula](double air_nm) { return formula(1e-3 * air_nm); };
 }
 
-double value_of(const Basis& basis, const std::vector<double>& c, double lambda_um) {
+double value_of(const Basis& basis, const std::vector<double>& c, double l) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < basis.size(); ++k) sum += c[k] * basis[k](lambda_um);
+    for (std::size_t k = 0; k < basis.size(); ++k) sum += c[k] * basis[k](l);
     return sum;
 }
 
 /// The coefficients of `basis` for `of(sample)`, each sample weighing `weight(sample)`.
 std::vector<double> fit_basis(const Basis& basis, Samples samples, auto of, auto weight) {
     std::vector<double> a, b;
-    for (const auto& term : basis)
-        for (const IndexSample& s : samples) a.push_back(weight(s) * term(s.lambda_um));
+    for (const Term& term : basis)
+        for (const IndexSample& s : samples) a.push_back(weight(s) * term(um(s)));
     for (const IndexSample& s : samples) b.push_back(weight(s) * of(s));
     return least_squares(a, b);
 }
@@ -36,7 +41,7 @@ std::vector<double> fit_basis(const Basis& basis, Samples samples, auto of, auto
 double squares(const FittedFormula& fit, Samples samples) {
     double sum = 0.0;
     for (const IndexSample& s : samples) {
-        const double error = fit.index(s.lambda_um) - s.n;
+        const double error = fit.index(s.air_nm) - s.n;
         sum += error * error;
     }
     return sum;
@@ -49,7 +54,7 @@ FittedFormula fit_sum(const Basis& basis, Samples samples) {
     fit.constants = fit_basis(
         basis, samples, [](const IndexSample& s) { return s.n; },
         [](const IndexSample&) { return 1.0; });
-    fit.index = [basis, c = fit.constants](double l) { return value_of(basis, c, l); };
+    fit.index = index_of([basis, c = fit.constants](double l) { return value_of(basis, c, l); });
     return fit;
 }
 
@@ -62,8 +67,8 @@ double conradys_power(double l) { return std::pow(l, -3.5); }
 double herzberger_in_um(double l) { return 1.0 / (l * l - 0.028); }
 double herzberger_in_nm(double l) { return 1.0 / (1e6 * l * l - 0.028); }
 double square_in_nm(double l) { return 1e6 * l * l; }
-double coordinate(double lambda_um) {
-    return paper_coordinate(vacuum_wavelength(1e3 * lambda_um), SpectralSpacing::frequency);
+double coordinate(double l) {
+    return paper_coordinate(vacuum_wavelength(1e3 * l), SpectralSpacing::frequency);
 }
 
 FittedFormula fit_cauchy_2(Samples samples) { return fit_sum({one, inverse_square}, samples); }
@@ -98,7 +103,7 @@ FittedFormula hartmann_printed_with(double t, Samples samples) {
     const double B = fit_basis(
         {term}, samples, [](const IndexSample& s) { return s.n - 1.0; },
         [](const IndexSample&) { return 1.0; })[0];
-    return {{-B / t, middle - 1.0 / t}, [=](double l) { return 1.0 + B * term(l); }};
+    return {{-B / t, middle - 1.0 / t}, index_of([=](double l) { return 1.0 + B * term(l); })};
 }
 
 FittedFormula hartmann_with(double t, Samples samples) {
@@ -111,7 +116,7 @@ FittedFormula hartmann_with(double t, Samples samples) {
 }
 
 FittedFormula search_hartmann(FittedFormula (*with)(double, Samples), Samples samples) {
-    const double most = (1.0 - kNearestPole) / (middle_of(samples) - samples.front().lambda_um);
+    const double most = (1.0 - kNearestPole) / (middle_of(samples) - um(samples.front()));
     return with(find_minimum([&](double t) { return squares(with(t, samples), samples); },
                              1e-6 * most, most),
                 samples);
@@ -129,9 +134,9 @@ FittedFormula fit_square(const Basis& basis, Samples samples) {
     fit.constants = fit_basis(
         basis, samples, [](const IndexSample& s) { return s.n * s.n - 1.0; },
         [](const IndexSample& s) { return 0.5 / s.n; });
-    fit.index = [basis, c = fit.constants](double l) {
+    fit.index = index_of([basis, c = fit.constants](double l) {
         return std::sqrt(std::max(0.0, 1.0 + value_of(basis, c, l)));
-    };
+    });
     return fit;
 }
 
@@ -150,7 +155,7 @@ FittedFormula search_sellmeier(const Basis& others, Samples samples) {
     const auto left = [&](double C) {
         return squares(sellmeier_with(C, others, samples), samples);
     };
-    const double C = find_minimum(left, 0.0, kNearestBand * square(samples.front().lambda_um));
+    const double C = find_minimum(left, 0.0, kNearestBand * square(um(samples.front())));
     return sellmeier_with(C, others, samples);
 }
 FittedFormula fit_sellmeier(Samples samples) { return search_sellmeier({}, samples); }
@@ -160,7 +165,7 @@ FittedFormula fit_sellmeier_infrared(Samples samples) {
 
 /// As printed, c² − λ² below and b > 0: only bands beyond the red make n² > 1.
 FittedFormula fit_sellmeier_printed(Samples samples) {
-    const double most = kNearestBand / square(samples.back().lambda_um);
+    const double most = kNearestBand / square(um(samples.back()));
     const auto with = [&](double u) { return sellmeier_with(1.0 / u, {}, samples); };
     const auto left = [&](double u) { return squares(with(u), samples); };
     FittedFormula fit = with(find_minimum(left, 1e-6 * most, most));
@@ -193,15 +198,14 @@ const std::vector<PaperFormula>& paper_formulas() {
 
 std::vector<IndexSample> index_samples(const IndexInAir& n, SpectralBand band) {
     std::vector<IndexSample> samples;
-    for (double nm = band.from_nm; nm <= band.to_nm; nm += 1.0)
-        samples.push_back({1e-3 * nm, n(nm)});
+    for (double nm = band.from_nm; nm <= band.to_nm; nm += 1.0) samples.push_back({nm, n(nm)});
     return samples;
 }
 
 IndexError index_error(const FittedFormula& fit, std::span<const IndexSample> samples) {
     IndexError error;
     for (const IndexSample& s : samples)
-        error.worst = std::max(error.worst, std::abs(fit.index(s.lambda_um) - s.n));
+        error.worst = std::max(error.worst, std::abs(fit.index(s.air_nm) - s.n));
     error.rms = std::sqrt(squares(fit, samples) / double(samples.size()));
     return error;
 }

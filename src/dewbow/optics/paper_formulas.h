@@ -3,7 +3,6 @@
 
 // The paper's formulas of few constants for the index, as printed and as right, fitted to a glass.
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,12 +13,12 @@ namespace dewbow {
 
 /// An index against air at a wavelength in air.
 struct IndexSample {
-    double lambda_um = 0.0, n = 1.0;
+    double air_nm = 0.0, n = 1.0;
 };
 
 struct FittedFormula {
     std::vector<double> constants;  ///< in the formula's order; λ in µm, unless it says nm
-    std::function<double(double lambda_um)> index;
+    IndexInAir index;
 };
 
 struct PaperFormula {
