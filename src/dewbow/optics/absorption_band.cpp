@@ -3,8 +3,8 @@
 
 namespace dewbow {
 
-std::complex<double> index_near(const AbsorptionBand& band, double lambda_um) {
-    const double x = band.c_um / lambda_um;
+std::complex<double> index_near(const AbsorptionBand& band, Wavelength lambda) {
+    const double x = band.c / lambda;
     return std::sqrt(1.0 + band.b / std::complex<double>(1.0 - x * x, -band.damping * x));
 }
 
