@@ -334,36 +334,113 @@ TEST(SpectralStatistics, UniformLanesUnderEqualEnergyAreWhiteOnlyOnAverage) {
     expect_range(range_of(16), {0.995, 0.997, 0.958}, {1.005, 1.003, 1.038}, 0.0011);
 }
 
-TEST(SpectralStatistics, NoiseOfWhiteTailoredAndNot) {
-    const auto sd = [](SpectralColours colours, bool tailored) {
-        const PreparedSpectralSampling prepared(make_spectral_model({.colours = colours}),
-                                                {.jitter = Jitter::both, .tailored = tailored});
-        Channels variance{};
-        constexpr int kSteps = 400;
-        for (int k = 0; k < kPaperSamples; ++k) {
-            Channels mean{}, square{};
-            for (int i = 0; i < kSteps; ++i) {
-                const auto rgb = prepared.sample(k, (i + 0.5) / kSteps).rgb;
-                for (std::size_t c = 0; c < 3; ++c) {
-                    mean[c] += rgb[c] / kSteps;
-                    square[c] += rgb[c] * rgb[c] / kSteps;
-                }
+// ---- tailored samples --------------------------------------------------------------------------
+
+Channels roots(const Channels& squares) {
+    return {std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2])};
+}
+
+/// Standard deviation of the sampler's white, its offsets on a grid.
+Channels sampled_sd(SpectralColours colours, bool tailored) {
+    const PreparedSpectralSampling prepared(make_spectral_model({.colours = colours}),
+                                            {.jitter = Jitter::both, .tailored = tailored});
+    Channels variance{};
+    constexpr int kSteps = 400;
+    for (int k = 0; k < kPaperSamples; ++k) {
+        Channels mean{}, square{};
+        for (int i = 0; i < kSteps; ++i) {
+            const auto rgb = prepared.sample(k, (i + 0.5) / kSteps).rgb;
+            for (std::size_t c = 0; c < 3; ++c) {
+                mean[c] += rgb[c] / kSteps;
+                square[c] += rgb[c] * rgb[c] / kSteps;
             }
-            for (std::size_t c = 0; c < 3; ++c) variance[c] += square[c] - mean[c] * mean[c];
         }
-        return Channels{std::sqrt(variance[0]), std::sqrt(variance[1]), std::sqrt(variance[2])};
+        for (std::size_t c = 0; c < 3; ++c) variance[c] += square[c] - mean[c] * mean[c];
+    }
+    return roots(variance);
+}
+
+/// One of 13 intervals of equal area under s = |r| + |g| + |b|. For each channel d, integrals over
+/// its part of f.
+struct EqualArea {
+    double width = 0.0, area = 0.0;
+    Channels d{}, d_squared{}, d_squared_over_s{};
+};
+/// By sums over f: no quantile is looked for.
+std::vector<EqualArea> equal_areas(SpectralColours colours) {
+    constexpr int kCells = 1 << 16;  // the bounds of intervals move by half a cell at most
+    constexpr double kWidth = 1.0 / kCells;
+    const auto model = make_spectral_model({.colours = colours});
+    const auto s_of = [](const MonitorRgb& d) {
+        return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
     };
-    const auto expect_sd = [&](SpectralColours colours, bool tailored, const Channels& expected) {
-        const Channels measured = sd(colours, tailored);
+    double whole = 0.0, below = 0.0;
+    for (int i = 0; i < kCells; ++i) whole += kWidth * s_of(model->density((i + 0.5) * kWidth));
+    std::vector<EqualArea> intervals(kPaperSamples);
+    for (int i = 0; i < kCells; ++i) {
+        const MonitorRgb d = model->density((i + 0.5) * kWidth);
+        const double s = s_of(d);
+        EqualArea& at = intervals[std::size_t(kPaperSamples * (below + 0.5 * kWidth * s) / whole)];
+        below += kWidth * s;
+        at.width += kWidth;
+        at.area += kWidth * s;
+        for (std::size_t c = 0; c < 3; ++c) {
+            at.d[c] += kWidth * d[c];
+            at.d_squared[c] += kWidth * d[c] * d[c];
+            at.d_squared_over_s[c] += kWidth * d[c] * d[c] / s;
+        }
+    }
+    return intervals;
+}
+/// A sample with the density s within its interval carries area d/s.
+Channels tailored_sd(SpectralColours colours) {
+    Channels variance{};
+    for (const EqualArea& k : equal_areas(colours))
         for (std::size_t c = 0; c < 3; ++c)
-            EXPECT_NEAR(measured[c], expected[c], kThreeDigits) << c;
+            variance[c] += k.area * k.d_squared_over_s[c] - k.d[c] * k.d[c];
+    return roots(variance);
+}
+/// One that is spread evenly within it carries width d.
+Channels evenly_spread_sd(SpectralColours colours) {
+    Channels variance{};
+    for (const EqualArea& k : equal_areas(colours))
+        for (std::size_t c = 0; c < 3; ++c)
+            variance[c] += k.width * k.d_squared[c] - k.d[c] * k.d[c];
+    return roots(variance);
+}
+
+void expect_sd(const Channels& sd, const Channels& expected, double tolerance) {
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(sd[c], expected[c], tolerance) << c;
+}
+
+/// Numbers that were integrated in closed form between the nodes of the linear curves, apart from
+/// this program, to four digits and a half cell of equal_areas().
+constexpr double kClosedForm = 0.00001;
+
+TEST(SpectralStatistics, NoiseOfWhiteTailoredAndNot) {
+    const auto expect = [](SpectralColours colours, bool tailored, const Channels& expected) {
+        expect_sd(sampled_sd(colours, tailored), expected, kThreeDigits);
     };
-    expect_sd(SpectralColours::linear, false, {0.083, 0.048, 0.068});
-    expect_sd(SpectralColours::linear, true, {0.042, 0.057, 0.044});
-    expect_sd(SpectralColours::empirical, false, {0.159, 0.115, 0.103});
-    expect_sd(SpectralColours::empirical, true, {0.034, 0.067, 0.057});
-    expect_sd(SpectralColours::cie, false, {0.284, 0.180, 0.168});
-    expect_sd(SpectralColours::cie, true, {0.065, 0.065, 0.069});
+    expect(SpectralColours::linear, false, {0.083, 0.048, 0.068});
+    expect(SpectralColours::linear, true, {0.042, 0.057, 0.044});
+    expect(SpectralColours::empirical, false, {0.159, 0.115, 0.103});
+    expect(SpectralColours::empirical, true, {0.034, 0.067, 0.057});
+    expect(SpectralColours::cie, false, {0.284, 0.180, 0.168});
+    expect(SpectralColours::cie, true, {0.065, 0.065, 0.069});
+}
+
+TEST(SpectralStatistics, TailoredNoiseIsThatOfIntegralsOverTheSpectrum) {
+    // The sampler's density is constant within its 3328 cells.
+    constexpr double kOfCells = 1e-4;
+    for (auto colours : {SpectralColours::linear, SpectralColours::empirical, SpectralColours::cie})
+        expect_sd(sampled_sd(colours, true), tailored_sd(colours), kOfCells);
+    expect_sd(tailored_sd(SpectralColours::linear), {0.04226, 0.05656, 0.04368}, kClosedForm);
+}
+
+TEST(SpectralStatistics, EvenlySpreadWithinEqualAreasIsNoisierThanNotTailored) {
+    const Channels sd = evenly_spread_sd(SpectralColours::linear);
+    expect_sd(sd, {0.12328, 0.05057, 0.07698}, kClosedForm);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_GT(sd[c], UniformSum(rises_of(c)).sd()) << c;
 }
 
 TEST(SpectralStatistics, WhiteLosesVioletFirstAndTurnsGreenishYellow) {
