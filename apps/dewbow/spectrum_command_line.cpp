@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "command_option.h"
 #include "dewbow/base/error.h"
@@ -15,7 +16,7 @@
 namespace dewbow {
 namespace {
 
-constexpr int kMostInASet = 1000, kMostSets = 1'000'000;
+constexpr int kMostSets = 1'000'000;
 constexpr double kLeastGamma = 0.1, kMostGamma = 10.0;
 
 constexpr const char* kExamples = R"(Examples:
@@ -46,6 +47,11 @@ template <class Enum>
 void read_word(const char* option, const std::optional<std::string>& text,
                const std::vector<std::string>& words, Enum& value) {
     if (text) value = static_cast<Enum>(parse_word(option, *text, words));
+}
+
+bool any_shows_colours(const SpectrumCommand& command) {
+    return std::any_of(command.outputs.begin(), command.outputs.end(), output_shows_colours) ||
+           std::any_of(command.plots.begin(), command.plots.end(), shows_colours);
 }
 
 }  // namespace
@@ -119,7 +125,8 @@ SpectralModelSettings SpectrumCommandLine::model() const {
 
 SpectralSampling SpectrumCommandLine::sampling() const {
     SpectralSampling sampling;
-    if (samples_) sampling.samples = int(parse_integer("--samples", *samples_, 1, kMostInASet));
+    if (samples_)
+        sampling.samples = int(parse_integer("--samples", *samples_, 1, kMostSpectralSamples));
     read_word("--jitter", jitter_, jitter_names(), sampling.jitter);
     sampling.correlated = correlated_;
     sampling.tailored = tailored_;
@@ -143,6 +150,9 @@ std::optional<SpectrumCommand> SpectrumCommandLine::command() const {
         command.outputs.push_back(parse_file_name("--output", output, spectrum_output_endings()));
     for (const std::string& plot : plots_)
         command.plots.push_back(parse_plot("--plot", plot, plot_kinds()));
+    if (gamma_ && !any_shows_colours(command))
+        throw UsageError("--gamma is of files that show colours, and none is asked for",
+                         "for instance -o strip.png");
     command.quiet = quiet_;
     command.json = json_;
     return command;

@@ -95,19 +95,27 @@ std::string json_with_curves(const SpectrumSetup& setup) {
 
 struct OutputRow {
     std::string ending, summary;
+    bool shows_colours;  ///< as they look
     std::string (*encode)(const SpectrumSetup& setup);
 };
 
 const std::vector<OutputRow>& rows() {
     static const std::vector<OutputRow> all{
-        {".csv", "the curves as a table", curves_csv},
-        {".json", "curves, samples and sums for programs", json_with_curves},
-        {".svg", "the curves as a plot",
+        {".csv", "the curves as a table", false, curves_csv},
+        {".json", "curves, samples and sums for programs", false, json_with_curves},
+        {".svg", "the curves as a plot", true,
          [](const SpectrumSetup& s) { return draw_spectrum_curves(s, ".svg"); }},
-        {".png", "the spectrum as a strip of colours",
+        {".png", "the spectrum as a strip of colours", true,
          [](const SpectrumSetup& s) { return draw_spectrum_strip(s, ".png"); }},
     };
     return all;
+}
+
+const OutputRow& row_of(const std::string& file) {
+    const auto row = std::find_if(rows().begin(), rows().end(),
+                                  [&](const OutputRow& r) { return r.ending == ending_of(file); });
+    DEWBOW_CHECK(row != rows().end(), "the command line knows the endings");
+    return *row;
 }
 
 std::string white_text(const SpectrumSetup& setup) {
@@ -142,11 +150,10 @@ std::string spectrum_outputs_described() {
     return text;
 }
 
+bool output_shows_colours(const std::string& file) { return row_of(file).shows_colours; }
+
 std::string spectrum_output(const std::string& file, const SpectrumSetup& setup) {
-    const auto row = std::find_if(rows().begin(), rows().end(),
-                                  [&](const OutputRow& r) { return r.ending == ending_of(file); });
-    DEWBOW_CHECK(row != rows().end(), "the command line knows the endings");
-    return row->encode(setup);
+    return row_of(file).encode(setup);
 }
 
 std::string spectrum_text(const SpectrumSetup& setup) {

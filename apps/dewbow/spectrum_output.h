@@ -14,6 +14,8 @@ namespace dewbow {
 const std::vector<std::string>& spectrum_output_endings();
 /// ".csv, the curves as a table; …" for help.
 std::string spectrum_outputs_described();
+/// As they look: --gamma is of these.
+bool output_shows_colours(const std::string& file);
 /// The bytes of `file`.
 std::string spectrum_output(const std::string& file, const SpectrumSetup& setup);
 

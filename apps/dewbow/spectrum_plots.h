@@ -14,11 +14,13 @@ struct SpectrumPlotRow {
     std::string kind;
     std::string summary;               ///< for help, in a few words
     std::vector<std::string> endings;  ///< of its files: ".svg"
+    bool shows_colours;                ///< as they look: --gamma is of these
     /// The bytes of a file of that ending.
     std::string (*draw)(const SpectrumSetup& setup, const std::string& ending);
 };
 const std::vector<SpectrumPlotRow>& spectrum_plots();
 
+bool shows_colours(const PlotRequest& plot);
 /// The bytes of `file`, a plot of this kind.
 std::string spectrum_plot(const PlotRequest& plot, const SpectrumSetup& setup);
 

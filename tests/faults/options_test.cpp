@@ -284,6 +284,11 @@ TEST(Options, OfSpectrumThatContradictEachOther) {
     check({"spectrum", "--correlated", "-o", "a.csv"}, "--jitter is missing");
     check({"spectrum", "--sets", "5", "-o", "a.csv"}, "--sets and --seed are of samples");
     check({"spectrum", "--jitter", "index", "--seed", "5"}, "--sets and --seed are of samples");
+    check({"spectrum", "--gamma", "2.2"}, "--gamma is of files that show colours");
+    check({"spectrum", "--gamma", "2.2", "-o", "a.csv", "-o", "a.json"},
+          "--gamma is of files that show colours");
+    check({"spectrum", "--gamma", "2.2", "--jitter", "both", "--plot", "white=a.svg"},
+          "--gamma is of files that show colours");
     check({"spectrum", "--samples", "1", "-o", "a.csv"}, "--samples: spectral samples of fixed");
     EXPECT_EQ(folder.snapshot(), before);
 }
@@ -323,15 +328,17 @@ TEST(Options, LimitsAreTaken) {
 TEST(Options, LimitsOfThePapersModelsAreTaken) {
     const std::vector<std::vector<std::string>> right{
         {"spectrum", "--samples", "1", "--jitter", "both", "--sets", "1", "--seed", "0"},
-        {"spectrum", "--samples", "1000", "--gamma", "0.1"},
-        {"spectrum", "--colours", "cie", "--jitter", "colour", "--sets", "1", "--gamma", "10"},
+        {"spectrum", "--samples", "1000"},
+        {"spectrum", "--json", "--quiet", "--gamma", "0.1", "-o", "a.png"},
+        {"spectrum", "--json", "--quiet", "--gamma", "10", "--plot", "sums=a.svg"},
+        {"spectrum", "--colours", "cie", "--jitter", "colour", "--sets", "1"},
         {"glass", "paper", "--eta-red", "1.0001", "--w", "0"},
         {"glass", "paper", "--eta-red", "10", "--w", "1000"},
     };
     for (const std::vector<std::string>& words : right) {
         const Folder folder;
         const Outcome outcome = run_program(DEWBOW_BINARY, words, folder.path());
-        EXPECT_EQ(outcome.exit_code, 0) << words[0] << ' ' << words[3] << outcome.standard_error;
+        EXPECT_EQ(outcome.exit_code, 0) << words[0] << ' ' << words[2] << outcome.standard_error;
         EXPECT_EQ(outcome.standard_error, "");
         EXPECT_NE(outcome.standard_output, "");
     }

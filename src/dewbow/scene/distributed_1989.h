@@ -10,9 +10,6 @@
 
 namespace dewbow {
 
-/// Most samples that a ray may be split into.
-inline constexpr int kMostSpectralSamples = 10'000;
-
 /// What becomes of the N samples of a split when they are added up.
 enum class SampleSum {
     clamp,  ///< at white, as the paper does

@@ -27,6 +27,9 @@ inline bool colours_move(Jitter jitter) {
     return jitter == Jitter::colour || jitter == Jitter::both;
 }
 
+/// Most samples of a set, and thus rays that one is split into.
+inline constexpr int kMostSpectralSamples = 1000;
+
 struct SpectralSampling {
     int samples = kPaperSamples;
     Jitter jitter = Jitter::none;

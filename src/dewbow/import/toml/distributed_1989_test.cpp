@@ -27,6 +27,7 @@ TEST(Distributed1989Toml, DefaultsAreThePapers) {
 TEST(Distributed1989Toml, EachKeyChangesWhatARenderIs) {
     std::set<std::string> seen{text_of(Distributed1989Settings{})};
     const std::vector<std::string> all{"samples = 31",
+                                       "samples = 1000",
                                        "jitter = \"both\"",
                                        "jitter = \"index\"",
                                        "jitter = \"colour\"",
@@ -54,9 +55,9 @@ TEST(Distributed1989Toml, WrongValuesAreNamed) {
     };
     for (const auto& [keys, phrase] :
          {Wrong{"sampels = 13", "unknown key \"sampels\" in [render.distributed_1989]"},
-          Wrong{"samples = 0", "samples is 0"}, Wrong{"jitter = \"bot\"", "jitter"},
-          Wrong{"sum = \"clmp\"", "sum"}, Wrong{"monitor = \"sgrb\"", "srgb"},
-          Wrong{"least_weight = 2", "least_weight is 2"},
+          Wrong{"samples = 0", "samples is 0"}, Wrong{"samples = 1001", "samples is 1001"},
+          Wrong{"jitter = \"bot\"", "jitter"}, Wrong{"sum = \"clmp\"", "sum"},
+          Wrong{"monitor = \"sgrb\"", "srgb"}, Wrong{"least_weight = 2", "least_weight is 2"},
           Wrong{"correlated = 1", "correlated is the number 1"}}) {
         try {
             settings_of(keys);
