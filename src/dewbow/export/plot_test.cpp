@@ -40,7 +40,7 @@ TEST(Svg, SetsLettersBelowTheLine) {
     PlotPanel p = panel();
     p.x.label = "n_d";
     p.y.label = "(n_F − n_C) < 1";
-    p.marks.push_back({{550.0, 1.7}, "glass_2 eta_red _x", "#000"});
+    p.marks.push_back({{550.0, 1.7}, "glass_2 n_red _x", "#000"});
     const std::string svg = svg_of({&p, 1});
     const std::string below = "<tspan dy=\"4\" font-size=\"10\">";
     EXPECT_NE(svg.find(">n" + below + "d</tspan></text>"), std::string::npos) << svg;
@@ -49,7 +49,7 @@ TEST(Svg, SetsLettersBelowTheLine) {
                        "C</tspan><tspan dy=\"-4\" xml:space=\"preserve\">) &lt; 1</tspan></text>"),
               std::string::npos)
         << svg;
-    EXPECT_NE(svg.find(">glass_2 eta_red _x<"), std::string::npos) << svg;
+    EXPECT_NE(svg.find(">glass_2 n_red _x<"), std::string::npos) << svg;
 }
 
 TEST(Svg, TurnsAnAxisRound) {
