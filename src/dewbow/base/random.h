@@ -59,10 +59,17 @@ public:
     double one(std::uint32_t vertex, Purpose purpose) const { return two(vertex, purpose)[0]; }
     /// Two numbers in [0, 1)², a (0,2)-sequence over index.
     std::array<double, 2> two(std::uint32_t vertex, Purpose purpose) const;
+    /// A third and a fourth number in [0, 1) to go with two(), for what depends on all of them at
+    /// once: over index, three are a (1,3)-sequence and four a (3,4)-sequence.
+    double third(std::uint32_t vertex, Purpose purpose) const;
+    double fourth(std::uint32_t vertex, Purpose purpose) const;
 
     std::uint32_t index() const { return index_; }
 
 private:
+    std::uint64_t step(std::uint64_t number) const;
+    std::uint32_t shuffled(std::uint64_t first_step) const;
+
     std::uint64_t stream_;
     std::uint32_t index_;
 };

@@ -112,6 +112,11 @@ TEST(SampleKeyTest, NumbersAreThoseOfEveryEarlierRelease) {
     const Point other = SampleKey(stream_key(7, 640, 480), 1000).two(3, Purpose::bsdf_direction);
     EXPECT_EQ(other[0], 0x1.c4ba4a8p-4);
     EXPECT_EQ(other[1], 0x1.c05051ecp-2);
+    const SampleKey first(stream_key(0, 0, 0), 0), key(stream_key(7, 640, 480), 1000);
+    EXPECT_EQ(first.third(0, Purpose::pixel_filter), 0x1.a633ed86p-1);
+    EXPECT_EQ(first.fourth(0, Purpose::pixel_filter), 0x1.ea0fc7bp-3);
+    EXPECT_EQ(key.third(3, Purpose::bsdf_direction), 0x1.8bbfc0ccp-2);
+    EXPECT_EQ(key.fourth(3, Purpose::bsdf_direction), 0x1.b5a76944p-2);
 }
 
 TEST(SampleKeyTest, StaysBelowOneForExtremeArguments) {
@@ -166,6 +171,76 @@ TEST(SampleKeyTest, IntervalTestFindsAPlantedFault) {
     for (std::uint32_t i = 0; i < 256; ++i) points.push_back(SampleKey(1, i).two(0, Purpose::test));
     std::swap(points[0][1], points[1][1]);
     EXPECT_GT(faulty_intervals(points, 8), 0);
+}
+
+/// Number of intervals of volume 2^-(m - t) with sides of powers of two that do not hold exactly
+/// 2^t of these 2^m points, which come as 32-bit fractions.
+template <std::size_t dimensions>
+int uneven_intervals(const std::vector<std::array<double, dimensions>>& points, int m, int t) {
+    int faults = 0;
+    std::array<int, dimensions> sides{};  // 2^-side
+    const std::function<void(std::size_t, int)> divide = [&](std::size_t d, int left) {
+        if (d + 1 < dimensions) {
+            for (sides[d] = 0; sides[d] <= left; ++sides[d]) divide(d + 1, left - sides[d]);
+            return;
+        }
+        sides[d] = left;
+        std::vector<int> counts(std::size_t{1} << (m - t));
+        for (const auto& point : points) {
+            std::size_t interval = 0;
+            for (std::size_t i = 0; i < dimensions; ++i)
+                interval = (interval << sides[i]) +
+                           static_cast<std::size_t>(std::ldexp(point[i], sides[i]));
+            ++counts[interval];
+        }
+        faults += static_cast<int>(
+            std::count_if(counts.begin(), counts.end(), [&](int n) { return n != 1 << t; }));
+    };
+    divide(0, m - t);
+    return faults;
+}
+
+TEST(SampleKeyTest, ThreeAndFourNumbersAreNetsTogether) {
+    // The t of a Sobol' sequence is the sum of (degree − 1) over its primitive polynomials: of x +
+    // 1, x² + x + 1 and x³ + x + 1 it is 0, 1 and 2. [Sobol' 1967] Scrambling keeps it. [Owen 1995]
+    constexpr int kT3 = 1, kT4 = 3;
+    for (const int m : {4, 7, 10})
+        for (const std::uint32_t block : {0u, 3u, 77u}) {
+            std::vector<std::array<double, 3>> three;
+            std::vector<std::array<double, 4>> four;
+            for (std::uint32_t i = 0; i < 1u << m; ++i) {
+                const SampleKey key(stream_key(block, 5, 6), (block << m) + i);
+                const auto [x, y] = key.two(7, Purpose::test);
+                three.push_back({x, y, key.third(7, Purpose::test)});
+                four.push_back({x, y, three.back()[2], key.fourth(7, Purpose::test)});
+            }
+            EXPECT_EQ(uneven_intervals(three, m, kT3), 0) << "m " << m << " block " << block;
+            EXPECT_EQ(uneven_intervals(four, m, kT4), 0) << "m " << m << " block " << block;
+            std::swap(three[0][2], three[1][2]);
+            EXPECT_GT(uneven_intervals(three, m, kT3), 0) << "a planted fault, m " << m;
+        }
+}
+
+TEST(SampleKeyTest, ThirdAndFourthAreScrambledOnTheirOwn) {
+    for (const std::uint32_t index : {0u, 1u, 255u})
+        for (const int i : {0, 1}) {
+            const auto key = [=](std::uint64_t stream) { return SampleKey(stream, index); };
+            EXPECT_EQ(dependence_of([&](std::uint64_t stream) {
+                          return Point{key(stream).two(0, Purpose::test)[i],
+                                       key(stream).third(0, Purpose::test)};
+                      }),
+                      "");
+            EXPECT_EQ(dependence_of([&](std::uint64_t stream) {
+                          return Point{key(stream).two(0, Purpose::test)[i],
+                                       key(stream).fourth(0, Purpose::test)};
+                      }),
+                      "");
+            EXPECT_EQ(dependence_of([&](std::uint64_t stream) {
+                          return Point{key(stream).third(0, Purpose::test),
+                                       key(stream).fourth(0, Purpose::test)};
+                      }),
+                      "");
+        }
 }
 
 TEST(SampleKeyTest, OnePointIsUniformInTheSquare) {

@@ -106,6 +106,14 @@ void Tracer::pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundar
     path.from_specular[i] = path.from_specular[i] || stops_shadows(hit.shape);
 }
 
+/// The number that lets lanes choose between reflection and refraction. The first choice of lanes
+/// that opened where the camera looks is stratified with the place and the wavelength, since what
+/// is seen depends on all of them together; at depth 1 a sample has no other open lanes.
+double Tracer::choice_at(const OpenPath& path) const {
+    if (path.depth == 1) return key_.fourth(0, Purpose::pixel_filter);
+    return key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe);
+}
+
 void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
                          const Dielectric& glass, int id) {
     const auto first = std::size_t(std::countr_zero(group));
@@ -132,7 +140,7 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
                                : -hits[i].normal;
         lanes.nx.v[i] = n.x, lanes.ny.v[i] = n.y, lanes.nz.v[i] = n.z;
     }
-    const double u = key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe);
+    const double u = choice_at(path);
     refract_or_reflect_lanes(count, u, path.rays, lanes);
     LaneMask reflected = 0;
     for (LaneMask rest = group; rest; rest &= rest - 1) {

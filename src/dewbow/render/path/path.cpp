@@ -24,8 +24,11 @@ private:
 PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index) {
     const RenderSettings& settings = prepared.scene.render;
     const SampleKey key(stream_key(settings.seed, std::uint32_t(x), std::uint32_t(y)), index);
+    // Behind a prism light depends on place and wavelength together: they are stratified together.
+    // All lanes repeat after a packet-th of a turn, which the samples fill evenly.
+    const double turn = key.third(0, Purpose::pixel_filter) / settings.packet;
     const WavelengthPacket wavelengths =
-        sample_wavelengths(settings.wavelengths, settings.packet, key.one(0, Purpose::wavelength));
+        sample_wavelengths(settings.wavelengths, settings.packet, turn);
     const CameraRays& camera = prepared.camera;
     const Ray ray = camera.ray(x, y, key);
     if (!camera.disperses())

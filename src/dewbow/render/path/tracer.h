@@ -160,6 +160,7 @@ private:
     void index_around(const LaneSet& lanes, MediaStack media, LaneValues& index);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
     bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
+    double choice_at(const OpenPath& path) const;
     bool roulette(LaneValues& beta, int count, LaneMask mask, int depth,
                   std::uint32_t vertex) const;
     std::uint32_t vertex_key(int depth, std::uint32_t branch) const {
