@@ -20,11 +20,11 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "ball_mesh.h"
 #include "dewbow/optics/catalogue.h"
 #include "dewbow/optics/dispersion.h"
 #include "dewbow/render/accelerator_tree.h"
@@ -114,26 +114,9 @@ namespace {
 
 // ---- the scene ----------------------------------------------------------------------------------
 
-/// A closed ball of radius about 1 with bumps, of about `triangles` triangles.
+/// With bumps, of about `triangles` triangles.
 std::shared_ptr<const Mesh> bumpy_ball(std::size_t triangles) {
-    const auto n = std::uint32_t(std::lround(std::sqrt(double(triangles) / 2.0)));
-    auto mesh = std::make_shared<Mesh>();
-    for (std::uint32_t row = 0; row <= n; ++row)
-        for (std::uint32_t column = 0; column < n; ++column) {
-            const double theta = std::numbers::pi * row / n;
-            const double phi = 2.0 * std::numbers::pi * column / n;
-            const double s = row == 0 || row == n ? 0.0 : std::sin(theta);
-            const Vec3 d{s * std::cos(phi), std::cos(theta), -s * std::sin(phi)};
-            const double bumps = std::sin(17.0 * d.x) * std::sin(15.0 * d.y) * std::sin(13.0 * d.z);
-            mesh->vertices.push_back({d * (1.0 + 0.1 * bumps)});
-        }
-    for (std::uint32_t row = 0; row < n; ++row)
-        for (std::uint32_t column = 0; column < n; ++column) {
-            const std::uint32_t a = row * n + column, b = row * n + (column + 1) % n;
-            if (row + 1 < n) mesh->triangles.push_back({a, a + n, b + n});
-            if (row > 0) mesh->triangles.push_back({a, b + n, b});
-        }
-    return mesh;
+    return ball_mesh(std::uint32_t(std::lround(std::sqrt(double(triangles) / 2.0))), 0.1);
 }
 
 Scene make_scene(const Material& material, const std::shared_ptr<const Mesh>& mesh, int size) {

@@ -8,6 +8,7 @@
 
 #include "dewbow/optics/paper_index.h"
 #include "dewbow/optics/refraction.h"
+#include "dewbow/render/distributed_1989/distributed_1989.h"
 #include "dewbow/render/session.h"
 #include "dewbow/spectrum/rgb.h"
 
@@ -68,13 +69,9 @@ using Line = std::vector<Colour<Opponent>>;
 
 Line render(Scene scene, int samples) {
     scene.render.distributed_1989.sampling.samples = samples;
-    const auto& rows = estimators();
-    const auto row = std::find_if(rows.begin(), rows.end(), [](const EstimatorRow& candidate) {
-        return candidate.name == "distributed_1989";
-    });
     SessionOptions options;
     FilmSums film = make_film(scene, options);
-    run_session(scene, *row->make(scene), options, film);
+    run_session(scene, *make_distributed_1989_estimator(scene), options, film);
     Line line;
     for (int y = 0; y < film.height(); ++y) line.push_back(opponent_from_xyz(film.xyz(0, y)));
     return line;

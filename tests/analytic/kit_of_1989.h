@@ -4,11 +4,11 @@
 // A prism of the paper's index before something bright, pictures of it by distributed_1989, and the
 // same prism in two dimensions, by hand.
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "dewbow/optics/paper_index.h"
+#include "dewbow/render/distributed_1989/distributed_1989.h"
 #include "dewbow/render/session.h"
 #include "dewbow/spectrum/rgb.h"
 #include "dewbow/spectrum/spectral_samples.h"
@@ -43,13 +43,9 @@ inline Scene scene_of_tests(int width, int height, int depth) {
 
 /// What the scene's spectral model sends to the monitor, row by row.
 inline std::vector<MonitorRgb> monitor_picture(const Scene& scene) {
-    const auto& rows = estimators();
-    const auto row = std::find_if(rows.begin(), rows.end(), [](const EstimatorRow& candidate) {
-        return candidate.name == "distributed_1989";
-    });
     SessionOptions options;
     FilmSums film = make_film(scene, options);
-    run_session(scene, *row->make(scene), options, film);
+    run_session(scene, *make_distributed_1989_estimator(scene), options, film);
     const SpectralModelPtr model = make_spectral_model(scene.render.distributed_1989.model);
     std::vector<MonitorRgb> picture;
     for (int y = 0; y < film.height(); ++y)

@@ -6,8 +6,8 @@
 #include "dewbow/render/accelerator.h"
 
 #include <memory>
-#include <numbers>
 
+#include "ball_mesh.h"
 #include "dewbow/scene/scene.h"
 #include "numbers.h"
 
@@ -17,26 +17,6 @@ namespace {
 constexpr std::size_t kRays = 1024;
 constexpr int kLanes = 8;
 
-/// A ball of radius 1, of 2 n² triangles.
-std::shared_ptr<const Mesh> ball(std::uint32_t n) {
-    auto mesh = std::make_shared<Mesh>();
-    for (std::uint32_t row = 0; row <= n; ++row)
-        for (std::uint32_t column = 0; column < n; ++column) {
-            const double theta = std::numbers::pi * row / n;
-            const double phi = 2.0 * std::numbers::pi * column / n;
-            const double s = row == 0 || row == n ? 0.0 : std::sin(theta);
-            mesh->vertices.push_back(
-                {Vec3{s * std::cos(phi), std::cos(theta), -s * std::sin(phi)}});
-        }
-    for (std::uint32_t row = 0; row < n; ++row)
-        for (std::uint32_t column = 0; column < n; ++column) {
-            const std::uint32_t a = row * n + column, b = row * n + (column + 1) % n;
-            if (row + 1 < n) mesh->triangles.push_back({a, a + n, b + n});
-            if (row > 0) mesh->triangles.push_back({a, b + n, b});
-        }
-    return mesh;
-}
-
 struct World {
     Scene scene = make_empty_scene();
     std::unique_ptr<Accelerator> accelerator;
@@ -44,7 +24,7 @@ struct World {
 
     explicit World(std::uint32_t n) {
         const int black = scene.add({"black", Black{}, nullptr, false});
-        scene.shapes.push_back({"ball", ball(n), Transform<dewbow::World, Object>(), black});
+        scene.shapes.push_back({"ball", ball_mesh(n), Transform<dewbow::World, Object>(), black});
         accelerator = std::make_unique<Accelerator>(scene, std::vector<bool>(1, false));
         const auto z = numbers(kRays, -1.0, 1.0, 0), phi = numbers(kRays, 0.0, 6.28, 1);
         const auto x = numbers(kRays, -0.5, 0.5, 2), y = numbers(kRays, -0.5, 0.5, 3);
