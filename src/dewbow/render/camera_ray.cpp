@@ -3,48 +3,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace dewbow {
-
-namespace {
-
-/// Cells of the table of a filter: its steps are 1/500 of the filter's width, far below what shows.
-constexpr int kFilterCells = 500;
-
-/// The filter at x in [−1, 1], unnormalised.
-double filter_value(FilterKind kind, double x) {
-    switch (kind) {
-        case FilterKind::box:
-            return 1.0;
-        case FilterKind::gaussian:
-            return std::exp(-0.5 * 9.0 * x * x);
-        case FilterKind::blackman_harris: {
-            // The four-term window. [Harris 1978, table 1: minimum side lobes, −92 dB]
-            const double a = std::numbers::pi * (x + 1.0);
-            return 0.35875 - 0.48829 * std::cos(a) + 0.14128 * std::cos(2.0 * a) -
-                   0.01168 * std::cos(3.0 * a);
-        }
-    }
-    return 0.0;
-}
-
-std::vector<double> filter_table(FilterKind kind) {
-    std::vector<double> table;
-    for (int i = 0; i < kFilterCells; ++i)
-        table.push_back(filter_value(kind, 2.0 * (i + 0.5) / kFilterCells - 1.0));
-    return table;
-}
-
-}  // namespace
-
-FilterSampler::FilterSampler(const PixelFilter& filter)
-    : radius_(filter.radius), density_(filter_table(filter.kind)) {}
-
-double FilterSampler::sample(double u) const {
-    const Distribution1D::Sample s = density_.sample(u);
-    return radius_ * (2.0 * (double(s.index) + s.offset) / kFilterCells - 1.0);
-}
 
 CameraRays::CameraRays(const Scene& scene)
     : filter_(scene.film.filter),
@@ -63,6 +23,11 @@ CameraRays::CameraRays(const Scene& scene)
     if (const auto* orthographic = std::get_if<Orthographic>(&projection_))
         half_height_ = 0.5 * orthographic->height.to(unit::m);
     half_width_ = half_height_ * width_ / height_;
+    const double area = std::holds_alternative<Panorama>(projection_)
+                            ? 2.0 * std::numbers::pi * std::numbers::pi
+                            : 4.0 * half_width_ * half_height_;
+    film_scale_ =
+        width_ * height_ / (area * std::abs(scene.camera.world_from_camera.affine().determinant()));
 }
 
 /// The chief ray through (x, y), a point in the picture of the eye that sees pixel (px, py).

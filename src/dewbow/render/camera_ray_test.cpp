@@ -11,43 +11,6 @@ namespace dewbow {
 namespace {
 
 constexpr double kRounding = 1e-14;
-/// The filter's table has 500 cells: the variance of a step within a cell is 1/12 of its square.
-constexpr double kTable = 1e-5;
-
-struct Moments {
-    double mean = 0.0, variance = 0.0;
-};
-Moments sampled(const PixelFilter& filter) {
-    const FilterSampler sampler(filter);
-    constexpr int kCount = 200000;
-    double sum = 0.0, squares = 0.0;
-    for (int i = 0; i < kCount; ++i) {
-        const double x = sampler.sample((i + 0.5) / kCount);
-        EXPECT_LE(std::abs(x), filter.radius);
-        sum += x, squares += x * x;
-    }
-    return {sum / kCount, squares / kCount - sum * sum / kCount / kCount};
-}
-
-TEST(CameraRays, FiltersHaveTheirVariance) {
-    const Moments box = sampled({FilterKind::box, 0.5});
-    EXPECT_NEAR(box.mean, 0.0, kTable);
-    EXPECT_NEAR(box.variance, 0.25 / 3.0, kTable);
-    // A Gaussian cut at three standard deviations: 1 − 6 φ(3) / (2 Φ(3) − 1).
-    const Moments gaussian = sampled({FilterKind::gaussian, 1.5});
-    const double phi = std::exp(-4.5) / std::sqrt(2.0 * std::numbers::pi);
-    EXPECT_NEAR(gaussian.mean, 0.0, kTable);
-    EXPECT_NEAR(gaussian.variance, 0.25 * (1.0 - 6.0 * phi / std::erf(3.0 / std::sqrt(2.0))),
-                kTable);
-    // Σ a_j cos(j π (x + 1)): ∫ x² cos(jπ(x+1)) = 4 / (jπ)² over [−1, 1], and 2/3 for j = 0.
-    const Moments harris = sampled({FilterKind::blackman_harris, 1.5});
-    const double a[] = {0.35875, -0.48829, 0.14128, -0.01168};
-    double second = a[0] * 2.0 / 3.0;
-    for (int j = 1; j < 4; ++j) second += a[j] * 4.0 / std::pow(j * std::numbers::pi, 2.0);
-    EXPECT_NEAR(harris.mean, 0.0, kTable);
-    EXPECT_NEAR(harris.variance, 2.25 * second / (2.0 * a[0]), 2.0 * kTable);
-}
-
 Scene scene_of(int width, int height) {
     Scene scene = make_empty_scene();
     scene.film.width = width;
