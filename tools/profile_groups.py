@@ -17,16 +17,16 @@ GROUPS = [
     ("leaving a stone", r"ConvexSolid::|nearest_facet|distances_to_facet|leave_undisturbed"),
     ("what Embree asks, and its answers", r"embree_callbacks|Accelerator|AnalyticShape|Affine::"),
     ("open lanes at boundaries",
-     r"Tracer::(trace_open|open_|facing|has_true|material_at|tint_open|indices|lane_of|collapse)"
+     r"PacketWalk::(trace_open|open_|facing|has_true|material_at|tint_open|indices|lane_of|collapse)"
      r"|refract_or_reflect|PacketMedia::entry|LightSet::emits|MediaStack|boundary_at|mirror_normal"),
     ("random numbers", r"SampleKey"),
     ("wavelengths of a sample", r"sample_wavelengths|PiecewiseLinearDensity|visual_density"),
     ("camera rays", r"CameraRays|FilterSampler|Distribution1D"),
     ("spectra and indices", r"eval_lanes|dispersion::|PacketMedia|RgbLight|RgbReflectance"),
-    ("lights", r"Light|Glow|Beam|Tracer::(add|direct_)|power_heuristic"),
+    ("lights", r"Light|Glow|Beam|CameraWalk::|power_heuristic"),
     ("film", r"FilmSums|xyz_from_lanes|dewbow::table\b"),
     ("allocation", r"\b(malloc|free|operator (new|delete)|_int_(malloc|free)|calloc|realloc)\b"),
-    ("shared rays and surfaces", r"Tracer::|vertex_at|fresnel|cos2_|Surface|with_tracer|trace_"),
+    ("shared rays and surfaces", r"PacketWalk::|vertex_at|fresnel|cos2_|Surface|trace_"),
     ("mathematics library", r"libm\.so|ieee754|sincos|\bexp\b|\blog\b"),
 ]
 REST = "the rest"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/path/path.h"
 
+#include "dewbow/render/path/camera_walk.h"
+
 namespace dewbow {
 
 namespace {
@@ -35,6 +37,17 @@ PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std:
         return trace_sample(prepared, ray, prepared.camera_media, wavelengths, key);
     return trace_open_sample(prepared, ray, camera.rays(x, y, key, wavelengths.lambdas()),
                              prepared.camera_media, wavelengths, key);
+}
+
+PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
+                         const WavelengthPacket& wavelengths, const SampleKey& key) {
+    return walk::CameraWalk(prepared, wavelengths, key, media).run(ray);
+}
+
+PixelSample trace_open_sample(const PreparedScene& prepared, const Ray& first, const RayLanes& rays,
+                              MediaStack media, const WavelengthPacket& wavelengths,
+                              const SampleKey& key) {
+    return walk::CameraWalk(prepared, wavelengths, key, media).run_open(first, rays);
 }
 
 std::unique_ptr<Estimator> make_path_estimator(const Scene& scene) {

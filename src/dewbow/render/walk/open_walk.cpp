@@ -3,11 +3,11 @@
 #include <bit>
 #include <cmath>
 
-#include "dewbow/render/path/tracer.h"
 #include "dewbow/render/refract_lanes.h"
 #include "dewbow/render/surface/ggx_lobe.h"
+#include "dewbow/render/walk/packet_walk.h"
 
-namespace dewbow::path_tracing {
+namespace dewbow::walk {
 
 namespace {
 
@@ -18,7 +18,22 @@ constexpr int kLanesThatGoOn = 2;
 
 }  // namespace
 
-void Tracer::trace_open(OpenPath path) {
+OpenPath PacketWalk::open_start(const RayLanes& rays, MediaStack media) const {
+    OpenPath path;
+    path.lanes = LaneSet::all(packet_);
+    path.rays = rays;
+    path.beta.v.fill(1.0);
+    path.media.fill(media);
+    path.active = (1u << rays.count) - 1u;
+    return path;
+}
+
+void PacketWalk::follow(const OpenPath& path) {
+    trace_open(path);
+    finish_pending();
+}
+
+void PacketWalk::trace_open(OpenPath path) {
     HitLanes hits;
     while (path.active) {
         prepared_.accelerator.intersect(path.rays, path.active, hits);
@@ -57,30 +72,20 @@ void Tracer::trace_open(OpenPath path) {
 }
 
 /// Lane k at the end of its ray: what it lost on the way, and the light that it finds there.
-void Tracer::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
+void PacketWalk::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
     const auto i = std::size_t(k);
     const Hit& hit = hits[i];
     if (!hit) {
-        open_missed(path, k);
+        on_leaving(lane_of(path, k));
+        path.active &= ~(1u << k);
         return;
     }
-    if (const auto* sigma = packet_media_.absorption(path.media[i].interior()))
+    if (const auto* sigma = packet_media().absorption(path.media[i].interior()))
         path.beta[k] *= std::exp(-(*sigma)[std::size_t(path.lanes.id[i])] * hit.t);
-    if (prepared_.lights.emits(hit, path.rays.direction(k))) {
-        const SharedPath lane = lane_of(path, k);
-        add_emission(lane.lanes, lane.beta, lane.ray, hit, lane.from_specular, lane.last_pdf,
-                     lane.last_receiver, lane.media);
-    }
+    if (prepared_.lights.emits(hit, path.rays.direction(k))) on_lamp(lane_of(path, k), hit);
 }
 
-void Tracer::open_missed(OpenPath& path, int k) {
-    const SharedPath lane = lane_of(path, k);
-    add_infinite(lane.lanes, lane.beta, lane.ray.direction, lane.from_specular, lane.last_pdf,
-                 lane.last_receiver, lane.media);
-    path.active &= ~(1u << k);
-}
-
-void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits, int material_id) {
+void PacketWalk::open_group(OpenPath& path, LaneMask group, const HitLanes& hits, int material_id) {
     const Material& material = this->material(material_id);
     const int medium = prepared_.media.interior_of(material_id);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface)) {
@@ -99,23 +104,15 @@ void Tracer::open_group(OpenPath& path, LaneMask group, const HitLanes& hits, in
 
 /// Takes a lane straight through a surface that is none. Shadow rays mostly know nothing of that:
 /// what lies behind such a surface is found by chance alone.
-void Tracer::pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundary) {
+void PacketWalk::pass(OpenPath& path, int k, const Hit& hit, const Boundary& boundary) {
     const auto i = std::size_t(k);
     path.media[i] = boundary.after;
     path.rays.set(k, vertex_at(path.rays.ray(k), hit).leave(path.rays.direction(k)));
-    path.from_specular[i] = path.from_specular[i] || stops_shadows(hit.shape);
+    path.last[i].specular = path.last[i].specular || stops_shadows(hit.shape);
 }
 
-/// The number that lets lanes choose between reflection and refraction. The first choice of lanes
-/// that opened where the camera looks is stratified with the place and the wavelength, since what
-/// is seen depends on all of them together; at depth 1 a sample has no other open lanes.
-double Tracer::choice_at(const OpenPath& path) const {
-    if (path.depth == 1) return key_.fourth(0, Purpose::pixel_filter);
-    return key_.one(vertex_key(path.depth, path.branch), Purpose::bsdf_lobe);
-}
-
-void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
-                         const Dielectric& glass, int id) {
+void PacketWalk::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
+                             const Dielectric& glass, int id) {
     const auto first = std::size_t(std::countr_zero(group));
     const bool front = dot(path.rays.direction(int(first)), hits[first].normal) < 0.0;
     const Boundary boundary = boundary_at(path.media[first], front, id);
@@ -140,7 +137,7 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
                                : -hits[i].normal;
         lanes.nx.v[i] = n.x, lanes.ny.v[i] = n.y, lanes.nz.v[i] = n.z;
     }
-    const double u = choice_at(path);
+    const double u = choice_of_lanes(path);
     refract_or_reflect_lanes(count, u, path.rays, lanes);
     LaneMask reflected = 0;
     for (LaneMask rest = group; rest; rest &= rest - 1) {
@@ -156,13 +153,13 @@ void Tracer::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
         path.rays.set(k, {position[i],
                           {lanes.dx.v[i], lanes.dy.v[i], lanes.dz.v[i]},
                           {hits[i].shape, hits[i].primitive, front != reflects}});
-        path.from_specular[i] = true;
+        path.last[i].specular = true;
     }
 }
 
 /// Each lane at a rough boundary, by one microfacet for all of them.
-void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
-                        const Dielectric& glass, int id) {
+void PacketWalk::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
+                            const Dielectric& glass, int id) {
     const auto first = std::size_t(std::countr_zero(group));
     const bool front = dot(path.rays.direction(int(first)), hits[first].normal) < 0.0;
     const Boundary boundary = boundary_at(path.media[first], front, id);
@@ -189,7 +186,7 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
         path.active &= ~(1u << k);
         if (wo.z <= 0.0) continue;
         const RoughDielectric surface(wo, alpha, eta[k]);
-        direct_rough(lane, vertex, frame, surface, glass, boundary);
+        on_rough_glass(lane, {vertex, frame, glass, boundary, surface});
         const std::optional<Vec3> wi = surface.sample(u, u_facet);
         if (!wi) continue;
         const bool reflects = wi->z > 0.0;
@@ -200,9 +197,7 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
         path.beta[k] *= value.f_cos / value.pdf;
         path.media[i] = reflects ? boundary.before : boundary.after;
         path.rays.set(k, vertex.leave(direction));
-        path.from_specular[i] = false;
-        path.last_pdf[k] = value.pdf;
-        path.last_receiver[i] = vertex.receiver(true);
+        path.last[i] = {false, value.pdf, vertex.receiver(true)};
         path.active |= 1u << k;
         refracted |= LaneMask(!reflects) << k;
     }
@@ -210,8 +205,8 @@ void Tracer::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits,
 }
 
 /// What is smooth and not glass: rare among opened lanes.
-void Tracer::open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hits,
-                             const Material& material) {
+void PacketWalk::open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hits,
+                                 const Material& material) {
     for (int k = 0; k < path.lanes.count; ++k) {
         if (!(group >> k & 1u)) continue;
         const auto i = std::size_t(k);
@@ -226,20 +221,20 @@ void Tracer::open_one_by_one(OpenPath& path, LaneMask group, const HitLanes& hit
         path.rays.set(k, lane.ray);
         path.beta[k] = lane.beta[0];
         path.media[i] = lane.media;
-        path.from_specular[i] = true;
+        path.last[i].specular = true;
     }
 }
 
 /// Lanes that meet something rough together: each takes direct light, a few go on.
-void Tracer::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
-                      const Material& material) {
+void PacketWalk::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
+                          const Material& material) {
     double total = 0.0;
     for (int k = 0; k < path.lanes.count; ++k) {
         if (!(group >> k & 1u)) continue;
         const SharedPath lane = lane_of(path, k);
         const Vertex vertex = vertex_at(lane.ray, hits[std::size_t(k)]);
         const LocalFrame frame(vertex.shading);
-        direct_scattered(lane, vertex, frame, surface_at(lane, vertex, frame, material), material);
+        on_scatterer(lane, {vertex, frame, material, surface_at(lane, vertex, frame, material)});
         total += path.beta[k];
     }
     path.active &= ~group;
@@ -254,12 +249,12 @@ void Tracer::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
         lane.beta[0] = total / count;  // β over the expected number of times that it is chosen
         if (scatter(lane, vertex, material, false) &&
             roulette(lane.beta, 1, 1u, lane.depth, vertex_key(lane.depth, lane.branch)))
-            pending_.push_back(lane);
+            memory_.pending.push_back(lane);
     }
 }
 
 /// The lane of `group` in which the running sum of throughputs passes `target`.
-int Tracer::lane_at(const OpenPath& path, LaneMask group, double target) {
+int PacketWalk::lane_at(const OpenPath& path, LaneMask group, double target) {
     int chosen = std::countr_zero(group);
     for (LaneMask rest = group; rest; rest &= rest - 1) {
         const int k = std::countr_zero(rest);
@@ -271,4 +266,4 @@ int Tracer::lane_at(const OpenPath& path, LaneMask group, double target) {
     return chosen;
 }
 
-}  // namespace dewbow::path_tracing
+}  // namespace dewbow::walk

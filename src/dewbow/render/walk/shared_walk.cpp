@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "dewbow/optics/refraction.h"
-#include "dewbow/render/path/tracer.h"
+#include "dewbow/render/walk/packet_walk.h"
 
-namespace dewbow::path_tracing {
+namespace dewbow::walk {
 
 namespace {
 
@@ -18,59 +18,37 @@ constexpr double kLeastCosineSeen = 1e-12;
 
 }  // namespace
 
-PixelSample Tracer::run(const Ray& ray, MediaStack media) {
-    result_.wavelengths = packet_;
+SharedPath PacketWalk::shared_start(const Ray& ray, MediaStack media) const {
     SharedPath path;
     path.ray = ray;
     path.lanes = LaneSet::all(packet_);
     path.beta.v.fill(1.0);
     path.media = media;
-    pending_.clear();
+    return path;
+}
+
+void PacketWalk::follow(const SharedPath& path) {
     trace(path);
     finish_pending();
-    return result_;
 }
 
-PixelSample Tracer::run_open(const Ray& first, const RayLanes& rays, MediaStack media) {
-    result_.wavelengths = packet_;
-    const Hit hit = prepared_.accelerator.intersect(first);
-    if (hit && settings_.max_depth > 0)
-        see_first(prepared_, vertex_at(first, hit), material_at(first, hit, vertex_key(0, 0)),
-                  result_);
-    OpenPath open;
-    open.lanes = LaneSet::all(packet_);
-    open.rays = rays;
-    open.beta.v.fill(1.0);
-    open.media.fill(media);
-    open.active = (1u << rays.count) - 1u;
-    open.from_specular.fill(true);
-    open.last_pdf.v.fill(0.0);
-    pending_.clear();
-    trace_open(open);
-    finish_pending();
-    return result_;
-}
-
-void Tracer::finish_pending() {
-    while (!pending_.empty()) {
-        const SharedPath next = pending_.back();
-        pending_.pop_back();
+void PacketWalk::finish_pending() {
+    while (!memory_.pending.empty()) {
+        const SharedPath next = memory_.pending.back();
+        memory_.pending.pop_back();
         trace(next);
     }
 }
 
-void Tracer::trace(SharedPath path) {
+void PacketWalk::trace(SharedPath path) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(path.ray);
         if (hit) absorb(path.lanes, path.beta, path.media, hit.t);
         if (!hit) {
-            add_infinite(path.lanes, path.beta, path.ray.direction, path.from_specular,
-                         path.last_pdf, path.last_receiver, path.media);
+            on_leaving(path);
             return;
         }
-        if (prepared_.lights.emits(hit, path.ray.direction))
-            add_emission(path.lanes, path.beta, path.ray, hit, path.from_specular, path.last_pdf,
-                         path.last_receiver, path.media);
+        if (prepared_.lights.emits(hit, path.ray.direction)) on_lamp(path, hit);
         const int depth = path.depth;
         if (depth >= settings_.max_depth || !interact(path, hit)) return;
         // A surface that is none costs no depth, and its random numbers were used before it.
@@ -84,14 +62,13 @@ void Tracer::trace(SharedPath path) {
 }
 
 /// Takes the path past one surface. False: it ends here.
-bool Tracer::interact(SharedPath& path, const Hit& hit) {
+bool PacketWalk::interact(SharedPath& path, const Hit& hit) {
     const Vertex vertex = vertex_at(path.ray, hit);
     const std::uint32_t at =
         vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
     const int id = material_at(path.ray, hit, at);
     const Material& material = this->material(id);
-    if (!result_.hit && path.depth == 0 && path.branch == 0)
-        see_first(prepared_, vertex, id, result_);
+    on_surface(path, vertex, id);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
                                 : smooth(path, vertex, *glass, prepared_.media.interior_of(id));
@@ -103,8 +80,8 @@ bool Tracer::interact(SharedPath& path, const Hit& hit) {
     return false;
 }
 
-ScatteringSurface Tracer::surface_at(const SharedPath& path, const Vertex& vertex,
-                                     const LocalFrame& frame, const Material& material) {
+ScatteringSurface PacketWalk::surface_at(const SharedPath& path, const Vertex& vertex,
+                                         const LocalFrame& frame, const Material& material) {
     LaneValues outside;
     index_around(path.lanes, path.media, outside);
     Vec3 wo = frame.to_local(vertex.wo);
@@ -112,11 +89,11 @@ ScatteringSurface Tracer::surface_at(const SharedPath& path, const Vertex& verte
     return {material, {inputs_at(vertex), path.lanes, outside, wo}};
 }
 
-bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& material,
-                     bool take_direct) {
+bool PacketWalk::scatter(SharedPath& path, const Vertex& vertex, const Material& material,
+                         bool show) {
     const LocalFrame frame(vertex.shading);
     const ScatteringSurface surface = surface_at(path, vertex, frame, material);
-    if (take_direct) direct_scattered(path, vertex, frame, surface, material);
+    if (show) on_scatterer(path, {vertex, frame, material, surface});
     const std::uint32_t at = vertex_key(path.depth, path.branch);
     const std::optional<Vec3> wi =
         surface.sample(key_.one(at, Purpose::bsdf_lobe), key_.two(at, Purpose::bsdf_direction));
@@ -128,28 +105,26 @@ bool Tracer::scatter(SharedPath& path, const Vertex& vertex, const Material& mat
     if (!(pdf > 0.0) || above != (wi->z > 0.0)) return false;
     for (int k = 0; k < path.lanes.count; ++k) path.beta[k] *= f[k] / pdf;
     path.ray = vertex.leave(direction);
-    path.from_specular = false;
     path.scattered = true;
-    path.last_pdf = pdf;
-    path.last_receiver = vertex.receiver(ScatteringSurface::transmits(material));
+    path.last = {false, pdf, vertex.receiver(ScatteringSurface::transmits(material))};
     ++path.depth;
     return true;
 }
 
 /// As a mirror does.
-bool Tracer::reflect(SharedPath& path, const Vertex& vertex) {
+bool PacketWalk::reflect(SharedPath& path, const Vertex& vertex) {
     path.ray = vertex.leave(normalised(reflected(vertex.wo, mirror_normal(vertex))));
-    path.from_specular = true;
+    path.last.specular = true;
     ++path.depth;
     return true;
 }
 
-bool Tracer::mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror) {
+bool PacketWalk::mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror) {
     tint(mirror.reflectance, vertex, path.lanes, path.beta);
     return reflect(path, vertex);
 }
 
-bool Tracer::metal(SharedPath& path, const Vertex& vertex, const Conductor& conductor) {
+bool PacketWalk::metal(SharedPath& path, const Vertex& vertex, const Conductor& conductor) {
     LaneValues outside, reflectance;
     index_around(path.lanes, path.media, outside);
     const ConductorFresnel fresnel(conductor, path.lanes, outside);
@@ -158,7 +133,7 @@ bool Tracer::metal(SharedPath& path, const Vertex& vertex, const Conductor& cond
     return reflect(path, vertex);
 }
 
-bool Tracer::thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& pane) {
+bool PacketWalk::thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& pane) {
     LaneValues n, around, r;
     pane.index->eval_lanes(path.lanes.lambdas(), n.first(path.lanes.count));
     index_around(path.lanes, path.media, around);
@@ -174,18 +149,18 @@ bool Tracer::thin(SharedPath& path, const Vertex& vertex, const ThinDielectric& 
     const Vec3 direction =
         reflects ? normalised(reflected(vertex.wo, mirror_normal(vertex))) : -vertex.wo;
     path.ray = vertex.leave(direction);
-    path.from_specular = true;
+    path.last.specular = true;
     ++path.depth;
     return true;
 }
 
-bool Tracer::smooth(SharedPath& path, const Vertex& vertex, const Dielectric& glass, int id) {
+bool PacketWalk::smooth(SharedPath& path, const Vertex& vertex, const Dielectric& glass, int id) {
     const Boundary boundary = boundary_at(path.media, vertex.front, id);
     if (boundary.none || !stops_shadows(vertex.shape)) {
         path.media = boundary.after;
         path.ray = vertex.leave(path.ray.direction);
         // Shadow rays do not know it: what lies behind is found by chance alone.
-        path.from_specular = path.from_specular || stops_shadows(vertex.shape);
+        path.last.specular = path.last.specular || stops_shadows(vertex.shape);
         return ++path.passed <= kMostPassed;
     }
     const int count = path.lanes.count;
@@ -209,7 +184,7 @@ bool Tracer::smooth(SharedPath& path, const Vertex& vertex, const Dielectric& gl
     if (spreads)
         for (int k = 0; k < count; ++k)
             path.beta[k] *= reflects ? r[k] / mean : (1.0 - r[k]) / (1.0 - mean);
-    path.from_specular = true;
+    path.last.specular = true;
     if (reflects) {
         path.media = boundary.before;
         path.ray = vertex.leave(normalised(reflected(vertex.wo, normal)));
@@ -230,8 +205,8 @@ bool Tracer::smooth(SharedPath& path, const Vertex& vertex, const Dielectric& gl
 }
 
 /// Both ways at once: the refracted lanes are followed to their ends, the reflected path goes on.
-void Tracer::split_shared(SharedPath& path, const Vertex& vertex, const Dielectric& glass,
-                          const Boundary& boundary, const LaneValues& eta) {
+void PacketWalk::split_shared(SharedPath& path, const Vertex& vertex, const Dielectric& glass,
+                              const Boundary& boundary, const LaneValues& eta) {
     const Vec3 normal = mirror_normal(vertex);
     const double cos_i = std::min(1.0, dot(vertex.wo, normal));
     LaneValues refracted_beta = path.beta;
@@ -245,21 +220,20 @@ void Tracer::split_shared(SharedPath& path, const Vertex& vertex, const Dielectr
     path.media = boundary.before;
     path.ray = vertex.leave(normalised(reflected(vertex.wo, normal)));
     path.split = true;
-    path.from_specular = true;
+    path.last.specular = true;
     path.branch = ++branches_;
     ++path.depth;
 }
 
-void Tracer::open_transmitted(const SharedPath& path, const Vertex& vertex, const LaneValues& beta,
-                              const Boundary& boundary, const LaneValues& eta, Vec3 normal) {
+void PacketWalk::open_transmitted(const SharedPath& path, const Vertex& vertex,
+                                  const LaneValues& beta, const Boundary& boundary,
+                                  const LaneValues& eta, Vec3 normal) {
     OpenPath open;
     open.lanes = path.lanes;
     open.beta = beta;
     open.depth = path.depth + 1;
     open.branch = ++branches_;
     open.rays.count = path.lanes.count;
-    open.last_pdf.v.fill(0.0);
-    open.from_specular.fill(true);
     open.media.fill(boundary.after);
     const double cos_i = std::min(1.0, dot(vertex.wo, normal));
     for (int k = 0; k < path.lanes.count; ++k) {
@@ -277,7 +251,7 @@ void Tracer::open_transmitted(const SharedPath& path, const Vertex& vertex, cons
 }
 
 /// Rough glass is followed lane by lane from the first surface on.
-bool Tracer::rough(SharedPath& path, const Hit& hit, const Dielectric& glass, int id) {
+bool PacketWalk::rough(SharedPath& path, const Hit& hit, const Dielectric& glass, int id) {
     OpenPath open;
     open.lanes = path.lanes;
     open.beta = path.beta;
@@ -286,9 +260,7 @@ bool Tracer::rough(SharedPath& path, const Hit& hit, const Dielectric& glass, in
     open.rays.count = path.lanes.count;
     open.active = (1u << path.lanes.count) - 1u;
     open.media.fill(path.media);
-    open.from_specular.fill(path.from_specular);
-    open.last_pdf.v.fill(path.last_pdf);
-    open.last_receiver.fill(path.last_receiver);
+    open.last.fill(path.last);
     for (int k = 0; k < path.lanes.count; ++k) open.rays.set(k, path.ray);
     HitLanes hits;
     hits.fill(hit);
@@ -298,4 +270,4 @@ bool Tracer::rough(SharedPath& path, const Hit& hit, const Dielectric& glass, in
     return false;
 }
 
-}  // namespace dewbow::path_tracing
+}  // namespace dewbow::walk

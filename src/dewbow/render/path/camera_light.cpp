@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <optional>
+
+#include "dewbow/render/path/camera_walk.h"
+
+namespace dewbow::walk {
+
+namespace {
+
+double power_heuristic(double a, double b) { return a * a / (a * a + b * b); }
+
+}  // namespace
+
+/// `radiance` that arrives at the end of the path. What it carries is divided by the square of the
+/// index; the factor is put back here.
+void CameraWalk::add(const SharedPath& path, const LaneValues& radiance, double weight) {
+    const LaneSet& lanes = path.lanes;
+    const int medium = path.media.interior();
+    if (medium == start_.interior()) {
+        for (int k = 0; k < lanes.count; ++k)
+            result_.radiance[std::size_t(lanes.id[std::size_t(k)])] +=
+                weight * path.beta[k] * radiance[k];
+        return;
+    }
+    const auto& here = packet_media().index(medium);
+    const auto& start = packet_media().index(start_.interior());
+    for (int k = 0; k < lanes.count; ++k) {
+        const auto id = std::size_t(lanes.id[std::size_t(k)]);
+        const double ratio = start[id] / here[id];
+        result_.radiance[id] += weight * path.beta[k] * radiance[k] * ratio * ratio;
+    }
+}
+
+void CameraWalk::on_leaving(const SharedPath& path) {
+    const LightSet& lights = prepared_.lights;
+    const LastTurn& last = path.last;
+    LaneValues radiance;
+    for (int i = 0; i < lights.infinite_count(); ++i) {
+        const Vec3 direction = path.ray.direction;
+        if (!lights.infinite_radiance(i, direction, path.lanes, light_colours(), radiance))
+            continue;
+        const double weight =
+            last.specular
+                ? 1.0
+                : power_heuristic(last.pdf, lights.pdf_of_infinite(last.receiver, i, direction));
+        add(path, radiance, weight);
+    }
+}
+
+void CameraWalk::on_lamp(const SharedPath& path, const Hit& hit) {
+    const LightSet& lights = prepared_.lights;
+    const Vec3 position = path.ray.origin + path.ray.direction * hit.t;
+    LaneValues radiance;
+    SurfaceCoordinates at;
+    if (lights.emission_varies(hit)) at = prepared_.accelerator.coordinates(hit, position);
+    lights.emission(hit, at, path.lanes, light_colours(), radiance);
+    double weight = 1.0;
+    if (!path.last.specular) {
+        Hit seen_from = hit;
+        seen_from.t = length(position - path.last.receiver.position);
+        weight = power_heuristic(
+            path.last.pdf, lights.pdf_of_hit(path.last.receiver, path.ray.direction, seen_from));
+    }
+    add(path, radiance, weight);
+}
+
+/// Direct light at `vertex`. `eval(wi, f)` gives BSDF × cosine at each lane and returns the density
+/// of the surface's own sampling.
+template <class Eval>
+void CameraWalk::direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides,
+                              Eval&& eval) {
+    const std::uint32_t at = vertex_key(path.depth, path.branch);
+    const std::optional<LightSample> light =
+        prepared_.lights.sample(vertex.receiver(both_sides), key_.one(at, Purpose::light_choice),
+                                key_.two(at, Purpose::light_point));
+    if (!light || !(light->pdf > 0.0)) return;
+    const double side = dot(light->direction, vertex.geometric);
+    if (side == 0.0 || (side < 0.0 && !both_sides)) return;
+    LaneValues f{};
+    const double pdf = eval(light->direction, f);
+    if (!(pdf > 0.0)) return;
+    if (prepared_.accelerator.occluded(vertex.leave(light->direction), light->distance)) return;
+    LaneValues radiance;
+    prepared_.lights.radiance(*light, path.lanes, light_colours(), radiance);
+    for (int k = 0; k < path.lanes.count; ++k) radiance[k] *= f[k];
+    // What is infinitely far is not absorbed, as where a path misses everything.
+    if (std::isfinite(light->distance)) absorb(path.lanes, radiance, path.media, light->distance);
+    const double weight = light->without_extent ? 1.0 : power_heuristic(light->pdf, pdf);
+    add(path, radiance, weight / light->pdf);
+}
+
+void CameraWalk::on_scatterer(const SharedPath& path, const Scatterer& at) {
+    const bool both_sides = ScatteringSurface::transmits(at.material);
+    direct_light(path, at.vertex, both_sides, [&](Vec3 direction, LaneValues& f) {
+        const Vec3 wi = at.frame.to_local(direction);
+        const bool above = dot(direction, at.vertex.geometric) > 0.0;
+        return (wi.z > 0.0) == above ? at.surface.eval(wi, f) : 0.0;
+    });
+}
+
+void CameraWalk::on_rough_glass(const SharedPath& lane, const RoughGlass& at) {
+    SharedPath there = lane;
+    direct_light(there, at.vertex, true, [&](Vec3 direction, LaneValues& f) {
+        const Vec3 wi = at.frame.to_local(direction);
+        const bool above = dot(direction, at.vertex.geometric) > 0.0;
+        if ((wi.z > 0.0) != above) return 0.0;
+        there.media = above ? at.boundary.before : at.boundary.after;
+        const RoughDielectric::Value value = at.surface.eval(wi);
+        f[0] = value.f_cos;
+        if (!above) tint(at.glass.tint, at.vertex, lane.lanes, f);
+        return value.pdf;
+    });
+}
+
+}  // namespace dewbow::walk

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dewbow/render/film.h"
+#include "dewbow/render/walk/packet_walk.h"
+
+namespace dewbow::walk {
+
+/// A path from the camera. At each rough surface it asks one light for direct light, and what it
+/// runs into that gives light counts too; the power heuristic weighs both. [Veach 1997, 9.2]
+///
+/// Behind a lens with dispersion a path begins open. All lanes start at one point of the lens,
+/// whose density is the same for each, so that it cancels against the mean over the aperture that a
+/// pixel shows, and each lane begins with the throughput 1.
+class CameraWalk : public PacketWalk {
+public:
+    CameraWalk(const PreparedScene& prepared, const WavelengthPacket& packet, const SampleKey& key,
+               MediaStack start);
+
+    PixelSample run(const Ray& ray);
+    /// Each lane on its own ray from the start; `first` is what the layers see.
+    PixelSample run_open(const Ray& first, const RayLanes& rays);
+
+private:
+    void on_surface(const SharedPath& path, const Vertex& vertex, int material) override;
+    void on_scatterer(const SharedPath& path, const Scatterer& at) override;
+    void on_rough_glass(const SharedPath& lane, const RoughGlass& at) override;
+    void on_lamp(const SharedPath& path, const Hit& hit) override;
+    void on_leaving(const SharedPath& path) override;
+    double choice_of_lanes(const OpenPath& path) const override;
+
+    template <class Eval>
+    void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, Eval&& eval);
+    void add(const SharedPath& path, const LaneValues& radiance, double weight);
+
+    const MediaStack start_;
+    PixelSample result_;
+};
+
+}  // namespace dewbow::walk
