@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/caustics/aimed_emission.h"
+
+#include <algorithm>
+
+namespace dewbow::caustics {
+
+namespace {
+
+/// Of the first choice among lamps, what falls on all alike that shine on a caster: their power is
+/// a guess.
+constexpr double kEvenShare = 0.1;
+
+/// Where each lamp begins and the last one ends; all 0 if none has power.
+std::vector<double> edges_of(const EmissionMaps& maps) {
+    double power = 0.0;
+    int shining = 0;
+    for (int i = 0; i < maps.size(); ++i)
+        power += maps[i].power(), shining += maps[i].power() > 0.0;
+    std::vector<double> edges(std::size_t(maps.size()) + 1, 0.0);
+    if (shining == 0) return edges;
+    std::size_t last = 0;
+    for (int i = 0; i < maps.size(); ++i) {
+        const auto at = std::size_t(i);
+        edges[at + 1] = edges[at];
+        if (!(maps[i].power() > 0.0)) continue;
+        edges[at + 1] += (1.0 - kEvenShare) * maps[i].power() / power + kEvenShare / shining;
+        last = at + 1;
+    }
+    std::fill(edges.begin() + std::ptrdiff_t(last), edges.end(), 1.0);
+    return edges;
+}
+
+std::vector<int> number_glowing_shapes(const Scene& scene) {
+    std::vector<int> numbers(scene.shapes.size(), -1);
+    int next = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (scene.materials[std::size_t(scene.shapes[i].material)].gives_light())
+            numbers[i] = next++;
+    return numbers;
+}
+
+}  // namespace
+
+AimedEmission::AimedEmission(const PreparedScene& prepared)
+    : prepared_(prepared),
+      casters_(prepared.scene, prepared.see_through),
+      maps_(prepared, casters_),
+      edges_(edges_of(maps_)),
+      lamp_of_shape_(number_glowing_shapes(prepared.scene)) {}
+
+std::size_t AimedEmission::lamp_at(double choice) const {
+    const auto after = std::upper_bound(edges_.begin(), edges_.end(), choice);
+    return std::size_t(after - edges_.begin()) - 1;
+}
+
+AimedEmission::Aim AimedEmission::aim(const AimPoint& u) const {
+    const LearntDensity::Sample sample = density_.sample(u);
+    Aim aim{sample.at, sample.density, std::nullopt};
+    const std::size_t lamp = lamp_at(sample.at[0]);
+    aim.ray = maps_[int(lamp)].ray({sample.at[1], sample.at[2], sample.at[3], sample.at[4]});
+    if (!aim.ray) return aim;
+    // One group of casters leaves one way.
+    aim.ray->pdf = casters_.groups().size() == 1
+                       ? aim.ray->pdf * sample.density * (edges_[lamp + 1] - edges_[lamp])
+                       : density_of(lamp, aim.ray->ray);
+    if (!(aim.ray->pdf > 0.0)) aim.ray.reset();
+    return aim;
+}
+
+std::optional<EmittedRay> AimedEmission::sample(double u_light,
+                                                const std::array<double, 4>& u) const {
+    return aim({u_light, u[0], u[1], u[2], u[3]}).ray;
+}
+
+/// Of a ray that leaves that lamp.
+double AimedEmission::density_of(std::size_t lamp, const Ray& ray) const {
+    const double low = edges_[lamp], share = edges_[lamp + 1] - low;
+    if (!(share > 0.0)) return 0.0;
+    std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
+    const int count = maps_[int(lamp)].places(ray, places);
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const EmissionMap::Place& place = places[std::size_t(i)];
+        const AimPoint at{low + 0.5 * share, place.u[0], place.u[1], place.u[2], place.u[3]};
+        sum += place.pdf * density_.density(at);
+    }
+    return share * sum;
+}
+
+double AimedEmission::density_of_hit(const Hit& lamp, Vec3 point, const Ray& camera_ray) const {
+    const int number = lamp_of_shape_[std::size_t(lamp.shape)];
+    if (number < 0) return 0.0;
+    const Vec3 direction = -camera_ray.direction;
+    const SurfaceFrom from{lamp.shape, lamp.primitive, dot(direction, lamp.normal) < 0.0};
+    return density_of(std::size_t(maps_.of(LightSample::Source::shape, number)),
+                      {point, direction, from});
+}
+
+double AimedEmission::density_of_infinite(int i, const Ray& camera_ray) const {
+    return density_of(std::size_t(maps_.of(LightSample::Source::infinite, i)),
+                      {camera_ray.origin, -camera_ray.direction, {}});
+}
+
+}  // namespace dewbow::caustics
