@@ -68,6 +68,12 @@ AimedEmission::Aim AimedEmission::aim(const AimPoint& u) const {
     return aim;
 }
 
+AimPoint AimedEmission::numbers(const SampleKey& key) {
+    const std::array<double, 2> place = key.two(0, Purpose::light_point);
+    return {key.one(0, Purpose::light_choice), place[0], place[1],
+            key.third(0, Purpose::light_point), key.fourth(0, Purpose::light_point)};
+}
+
 std::optional<EmittedRay> AimedEmission::sample(double u_light,
                                                 const std::array<double, 4>& u) const {
     return aim({u_light, u[0], u[1], u[2], u[3]}).ray;

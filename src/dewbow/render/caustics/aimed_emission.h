@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "dewbow/base/random.h"
 #include "dewbow/render/caustics/emission_map.h"
 #include "dewbow/render/caustics/learnt_density.h"
 
@@ -28,6 +29,9 @@ public:
     /// A ray, whose pdf is that of all ways to it, choice of the lamp included. Nothing where the
     /// numbers give none; their share is lost. Stratified numbers give stratified rays.
     std::optional<EmittedRay> sample(double u_light, const std::array<double, 4>& u) const;
+    /// The numbers of a light path that sample() takes: those of the ray are stratified together.
+    static AimPoint numbers(const SampleKey& key);
+    std::optional<EmittedRay> sample(const SampleKey& key) const { return aim(numbers(key)).ray; }
     /// What `ray` carries at each lane; not divided by pdf.
     void radiance(const EmittedRay& ray, const LaneSet& lanes, RgbLightLanes& rgb,
                   LaneValues& out) const {

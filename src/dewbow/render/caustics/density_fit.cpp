@@ -11,19 +11,19 @@ namespace {
 
 /// Slabs along an axis in which observations are counted to find out what a cut is worth. More than
 /// two see a hump in the middle of a box.
-constexpr int kSlabs = 8;
+constexpr int kSlabs = 4;
 /// The same along two axes at once: a ridge along their diagonal, as a slit makes of place and
 /// direction, is even along each of them.
 constexpr int kPairSlabs = 4;
 constexpr int kMostCells = 16;
 /// A box with fewer observations is not cut.
-constexpr std::size_t kLeastObservations = 16;
+constexpr std::size_t kLeastObservations = 6;
 /// A box is cut if that lowers the root of the second moment by this share of the whole at least.
 constexpr double kLeastGain = 2e-5;
 /// So many times the gain that chance alone would show in observations of an even box.
-constexpr double kChance = 2.0;
+constexpr double kChance = 1.5;
 /// A box's mass is held to that of the box around it as if so many observations were of the latter.
-constexpr double kHeldBy = 2.0;
+constexpr double kHeldBy = 0.5;
 /// Masses are numbers of this size, so that even 2³¹ of them add up below 2⁶⁴.
 constexpr double kMassUnits = 0x1p32;
 
