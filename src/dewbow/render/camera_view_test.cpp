@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "dewbow/optics/catalogue.h"
+#include "dewbow/render/camera_kinds.h"
 #include "dewbow/render/camera_ray.h"
 
 namespace dewbow {
@@ -19,60 +19,12 @@ constexpr double kPlace = 1e-7;
 constexpr double kDifferences = 5e-5;
 constexpr double kRounding = 1e-13;
 
-struct Kind {
-    std::string name;
-    Scene scene;
-};
-
-Scene scene_with(Projection projection) {
-    Scene scene = make_empty_scene();
-    scene.film.width = 2000;
-    scene.film.height = 1000;
-    scene.film.filter = {FilterKind::box, kFilterRadius};
-    scene.camera.projection = projection;
-    scene.camera.world_from_camera =
-        Transform<World, Camera>(looking_at({1, 2, 3}, {-1, 0.5, 2}, {0.1, 1, 0}));
-    return scene;
-}
-
-Scene with_stereo(Scene scene, StereoLayout layout) {
-    scene.camera.stereo = StereoPair{0.2 * unit::m, 3.0 * unit::m, layout};
-    return scene;
-}
-
-Scene with_lens(Scene scene, int blades, bool glass) {
-    ThinLens lens{0.05 * unit::m, 2.0 * unit::m, blades, {}};
-    if (glass)
-        lens.glass = LensGlass{make_dispersion(find_glass("schott/N-SF11").data), 0.1 * unit::m};
-    scene.camera.lens = lens;
-    return scene;
-}
-
-Scene squeezed(Scene scene) {
-    scene.camera.world_from_camera = Transform<World, Camera>(
-        scene.camera.world_from_camera.affine() * scaling({2.0, 0.5, 3.0}));
-    return scene;
-}
-
-std::vector<Kind> kinds() {
-    const Scene perspective = scene_with(Perspective{60.0 * unit::deg});
-    const Scene orthographic = scene_with(Orthographic{5.0 * unit::m});
-    const Scene panorama = scene_with(Panorama{});
-    return {
-        {"perspective", perspective},
-        {"orthographic", orthographic},
-        {"panorama", panorama},
-        {"perspective, scaled", squeezed(perspective)},
-        {"orthographic, scaled", squeezed(orthographic)},
-        {"panorama, scaled", squeezed(panorama)},
-        {"round lens", with_lens(perspective, 0, false)},
-        {"lens of six blades", with_lens(perspective, 6, false)},
-        {"lens with dispersion", with_lens(perspective, 5, true)},
-        {"side by side", with_stereo(perspective, StereoLayout::side_by_side)},
-        {"over and under", with_stereo(perspective, StereoLayout::over_under)},
-        {"left eye", with_stereo(perspective, StereoLayout::left)},
-        {"right eye", with_stereo(perspective, StereoLayout::right)},
-        {"pair with lens", with_lens(with_stereo(perspective, StereoLayout::over_under), 0, true)}};
+Film fine_film() {
+    Film film;
+    film.width = 2000;
+    film.height = 1000;
+    film.filter = {FilterKind::box, kFilterRadius};
+    return film;
 }
 
 /// The ray of the centre of pixel (x, y) at a wavelength.
@@ -103,7 +55,7 @@ Seen seen_by(const CameraRays& camera, const Case& c, Vec3 point, const SampleKe
 }
 
 TEST(CameraView, APointOnARayIsSeenWhereTheRayBegan) {
-    for (const Kind& kind : kinds()) {
+    for (const test_kit::CameraKind& kind : test_kit::cameras_of_all_kinds(fine_film())) {
         SCOPED_TRACE(kind.name);
         const CameraRays camera(kind.scene);
         for (const Case& c : kCases) {
@@ -126,7 +78,7 @@ Vec3 met(const Ray& ray, Vec3 point, Vec3 normal) {
 }
 
 TEST(CameraView, PixelsPerAreaAreTheDerivativesOfRays) {
-    for (const Kind& kind : kinds()) {
+    for (const test_kit::CameraKind& kind : test_kit::cameras_of_all_kinds(fine_film())) {
         SCOPED_TRACE(kind.name);
         const CameraRays camera(kind.scene);
         for (const Case& c : kCases) {
@@ -156,7 +108,7 @@ TEST(CameraView, PixelsPerAreaAreTheDerivativesOfRays) {
 
 TEST(CameraView, SeesNothingBehindOrOutsideOfThePicture) {
     std::array<Seen, 2> seen;
-    for (const Kind& kind : kinds()) {
+    for (const test_kit::CameraKind& kind : test_kit::cameras_of_all_kinds(fine_film())) {
         SCOPED_TRACE(kind.name);
         const CameraRays camera(kind.scene);
         const bool around = std::holds_alternative<Panorama>(kind.scene.camera.projection);
