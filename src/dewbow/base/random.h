@@ -49,6 +49,12 @@ constexpr std::uint64_t stream_key(std::uint64_t seed, std::uint32_t x, std::uin
     return hash_combine(mix_bits(seed + 0x9e3779b97f4a7c15ULL), (std::uint64_t{y} << 32) | x);
 }
 
+/// The stream of the light paths of one pass of a render; no pixel has it.
+constexpr std::uint64_t light_stream_key(std::uint64_t seed, std::uint64_t pass) {
+    constexpr std::uint64_t kLight = 0x6c69676874ULL;  // "light"
+    return hash_combine(hash_combine(mix_bits(seed + 0x9e3779b97f4a7c15ULL), kLight), pass);
+}
+
 /// All random numbers of sample `index` of `stream`.
 class SampleKey {
 public:

@@ -9,6 +9,8 @@
 
 #include "dewbow/base/check.h"
 #include "dewbow/render/film.h"
+#include "dewbow/render/light_unit.h"
+#include "dewbow/render/splat_list.h"
 #include "dewbow/scene/scene.h"
 
 namespace dewbow {
@@ -43,6 +45,14 @@ public:
     /// Adds the samples of `unit` to `film`. Called from many threads at once, never for
     /// overlapping tiles at the same time. A function of scene, settings and unit alone.
     virtual void render(const Unit& unit, FilmSums& film) const = 0;
+
+    /// How many light paths it wants traced for each sample of each pixel of the whole picture; 0 =
+    /// it has none.
+    virtual double light_paths() const { return 0.0; }
+    /// Traces the light paths of `unit` and adds what they bring to `splats`: a pixel's radiance is
+    /// the mean of its samples, plus the sum of its splats over the number of light paths. Called
+    /// from many threads at once. A function of scene, settings and unit alone.
+    virtual void trace_light(const LightUnit& /*unit*/, SplatList& /*splats*/) const {}
 };
 
 struct EstimatorRow {

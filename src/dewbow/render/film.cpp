@@ -69,13 +69,6 @@ bool lanes_are_amounts(const PixelSample& sample) {
     return amounts;
 }
 
-/// Y of the constant spectrum 1 is 1.
-Colour<Xyz> xyz_of_lanes(const PixelSample& sample) {
-    static const double kPerWhite = 1.0 / cie_y_integral();
-    const auto lanes = static_cast<std::size_t>(sample.wavelengths.count);
-    return xyz_from_lanes(sample.wavelengths, {sample.radiance.data(), lanes}) * kPerWhite;
-}
-
 class Hash {
 public:
     void add(std::uint64_t word) { state_ = hash_combine(state_, word); }
@@ -93,6 +86,11 @@ private:
 };
 
 }  // namespace
+
+Colour<Xyz> film_xyz(const WavelengthPacket& packet, std::span<const double> radiance) {
+    static const double kPerWhite = 1.0 / cie_y_integral();
+    return xyz_from_lanes(packet, radiance) * kPerWhite;
+}
 
 void InvalidSamples::add(const InvalidSamples& other) {
     count += other.count;
@@ -184,7 +182,10 @@ FilmSums::Verdict FilmSums::xyz_in_quanta(const PixelSample& sample,
                                           std::array<double, 3>& quanta) const {
     constexpr double kMost = std::numeric_limits<double>::max();
     if (!sample.colour && !lanes_are_amounts(sample)) return Verdict::invalid;
-    const Colour<Xyz> xyz = sample.colour ? *sample.colour : xyz_of_lanes(sample);
+    const auto lanes = static_cast<std::size_t>(sample.wavelengths.count);
+    const Colour<Xyz> xyz = sample.colour
+                                ? *sample.colour
+                                : film_xyz(sample.wavelengths, {sample.radiance.data(), lanes});
     const double least = sample.colour ? -kMost : 0.0;
     bool large = false;
     for (std::size_t c = 0; c < 3; ++c) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,10 @@ struct PixelSample {
     double depth = 0.0;  ///< m along the camera's axis; 0 where nothing is hit
     bool hit = false;
 };
+
+/// XYZ of a packet's radiance, W m⁻² sr⁻¹ nm⁻¹, as the film has it: Y of the constant spectrum 1 is
+/// 1.
+Colour<Xyz> film_xyz(const WavelengthPacket& packet, std::span<const double> radiance);
 
 /// A sample that was not a number, infinite or negative, and how to compute it again.
 struct InvalidSample {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dewbow/scene/camera.h"
+#include "dewbow/scene/caustics_settings.h"
 #include "dewbow/scene/distributed_1989.h"
 #include "dewbow/scene/light.h"
 #include "dewbow/scene/material.h"
@@ -33,6 +34,7 @@ struct RenderSettings {
     /// From this vertex on paths end by Russian roulette; max_depth and beyond = never.
     int roulette_depth = 6;
     Distributed1989Settings distributed_1989;
+    CausticsSettings caustics;
 };
 
 struct Scene {

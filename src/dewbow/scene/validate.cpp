@@ -40,6 +40,8 @@ void check_render(const RenderSettings& render) {
     check_range(who, "the roulette's depth", render.roulette_depth, 0,
                 std::numeric_limits<int>::max());
     check_distributed_1989(render.distributed_1989);
+    check_range("caustics", "the number of light paths", render.caustics.light_paths, 0.0,
+                kMostLightPaths);
 }
 
 }  // namespace

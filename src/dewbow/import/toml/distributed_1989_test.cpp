@@ -17,7 +17,7 @@ Distributed1989Settings settings_of(const std::string& keys) {
 
 TEST(Distributed1989Toml, DefaultsAreThePapers) {
     EXPECT_EQ(text_of(settings_of("")), text_of(Distributed1989Settings{}));
-    EXPECT_EQ(text_of({}),
+    EXPECT_EQ(text_of(Distributed1989Settings{}),
               "samples 13, jitter none, correlated false, tailored false, colours linear, spacing "
               "frequency, negative clamp, monitor rogers, sum clamp, transport rgb, index linear, "
               "reflectance nominal, least weight 0.00392156862745098");

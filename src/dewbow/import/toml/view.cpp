@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "dewbow/import/toml/caustics.h"
 #include "dewbow/import/toml/distributed_1989.h"
 
 namespace dewbow::toml_import {
@@ -89,6 +90,7 @@ void read_render(const TomlDocument& document, const TomlValue* value, RenderSet
     settings.roulette_depth =
         int(table.integer("roulette_depth", 0, kMaxInt, settings.roulette_depth));
     read_distributed_1989(document, table.find("distributed_1989"), settings.distributed_1989);
+    read_caustics(document, table.find("caustics"), settings.caustics);
     table.finish();
 }
 
