@@ -112,4 +112,8 @@ double Distribution2D::pdf(double x, double y) const {
     return rows_.pdf(row) * within.pdf(cell_of(x, within.size()));
 }
 
+std::array<double, 2> Distribution2D::inverse(double x, double y) const {
+    return {within_row_[cell_of(y, rows_.size())].cdf(x), rows_.cdf(y)};
+}
+
 }  // namespace dewbow

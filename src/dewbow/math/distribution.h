@@ -3,6 +3,7 @@
 
 // Sampling in proportion to tabulated weights: piecewise constant densities on [0, 1) and [0, 1)².
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -63,6 +64,8 @@ public:
     Sample sample(double u0, double u1) const;
     /// Density on [0, 1)² at a point; 0 outside.
     double pdf(double x, double y) const;
+    /// The numbers (u0, u1) by which sample() gives a point of [0, 1)².
+    std::array<double, 2> inverse(double x, double y) const;
 
     /// Sum of the weights as given.
     double total() const { return rows_.total(); }

@@ -65,7 +65,7 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const ImageEnvironment> image)
     mean_y_ = image_->scale * sum / weight;
 }
 
-EnvironmentMap::Place EnvironmentMap::place_of(Vec3 direction) const {
+EnvironmentMap::Place EnvironmentMap::look_up(Vec3 direction) const {
     const Vec3 d = normalised(local_from_world_.apply_linear(direction));
     const double theta = std::acos(std::clamp(d.y, -1.0, 1.0));
     const double x = 0.5 + std::atan2(d.x, -d.z) / (2.0 * kPi);
@@ -73,7 +73,7 @@ EnvironmentMap::Place EnvironmentMap::place_of(Vec3 direction) const {
 }
 
 Colour<LinearSrgb> EnvironmentMap::radiance(Vec3 direction) const {
-    const Place place = place_of(direction);
+    const Place place = look_up(direction);
     const int width = image_->width, height = image_->height;
     const double x = place.x * width - 0.5, y = place.y * height - 0.5;
     const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -96,9 +96,14 @@ EnvironmentMap::Sample EnvironmentMap::sample(std::array<double, 2> u) const {
 }
 
 double EnvironmentMap::pdf(Vec3 direction) const {
-    const Place place = place_of(direction);
+    const Place place = look_up(direction);
     if (place.sin_theta <= 0.0) return 0.0;
     return distribution_.pdf(place.x, place.y) / (2.0 * kPi * kPi * place.sin_theta);
+}
+
+std::array<double, 2> EnvironmentMap::place_of(Vec3 direction) const {
+    const Place place = look_up(direction);
+    return distribution_.inverse(place.x, place.y);
 }
 
 }  // namespace dewbow

@@ -21,6 +21,8 @@ public:
     };
     Sample sample(std::array<double, 2> u) const;
     double pdf(Vec3 direction) const;
+    /// The numbers by which sample() takes `direction`.
+    std::array<double, 2> place_of(Vec3 direction) const;
     /// Mean over the sphere of the radiance's Y.
     double mean_y() const { return mean_y_; }
 
@@ -29,7 +31,7 @@ private:
         double x, y;  ///< in [0, 1)², from the top left
         double sin_theta;
     };
-    Place place_of(Vec3 direction) const;
+    Place look_up(Vec3 direction) const;
 
     std::shared_ptr<const ImageEnvironment> image_;
     Affine local_from_world_, world_from_local_;

@@ -117,6 +117,32 @@ double GlowingShape::pdf_area(int part, Vec3 point) const {
            face.area;
 }
 
+std::array<double, 2> GlowingShape::place_of(int part, Vec3 point) const {
+    if (const auto* faces = std::get_if<std::vector<Face>>(&surface_)) {
+        const Face& face = (*faces)[std::size_t(part)];
+        const auto [x, y] = face.place_of(point);
+        if (face.triangle) return square_from_uniform_triangle({1.0 - x - y, x, y});
+        const auto place = detail::held_in_square(x, y);
+        if (face.picture < 0) return place;
+        return pictures_[std::size_t(face.picture)].inverse(place[0], place[1]);
+    }
+    const Vec3 local = world_from_object_.inverse_affine().apply(point);
+    if (const auto* disc = std::get_if<FlatDisc>(&surface_))
+        return square_from_concentric_disc({local.x / disc->radius, local.y / disc->radius});
+    return square_from_uniform_sphere(Dir<Object>{normalised(local)});
+}
+
+Vec3 GlowingShape::normal_at(Vec3 point, int primitive) const {
+    if (!mesh_) return analytic_->normal(point, primitive);
+    return std::get<std::vector<Face>>(surface_)[std::size_t(primitive)].normal;
+}
+
+std::optional<GlowingShape::WorldBall> GlowingShape::ball() const {
+    const Ball* ball = std::get_if<Ball>(&surface_);
+    if (!ball || !ball->radius) return std::nullopt;
+    return WorldBall{ball->centre, *ball->radius};
+}
+
 /// An ellipsoid's area element is |det A| |A⁻ᵀ n| times that of its sphere.
 double GlowingShape::pdf_area_of_ball(const Ball& ball, Vec3 point) const {
     const Affine& object_from_world = world_from_object_.inverse_affine();

@@ -50,6 +50,32 @@ public:
     /// What textures are looked up by where `sample` meets the surface.
     SurfaceCoordinates coordinates(const Sample& sample) const;
 
+    struct SurfacePoint {
+        Vec3 position, normal;
+        double pdf_area;  ///< per m²
+        int primitive = 0;
+        double u = 0.0, v = 0.0;
+    };
+    /// A point of a part by uniform numbers: all alike, but more where a picture is brighter.
+    SurfacePoint point_of(int part, std::array<double, 2> u) const;
+    /// The numbers by which point_of() gives `point`.
+    std::array<double, 2> place_of(int part, Vec3 point) const;
+    /// Density of point_of(), per area of the world.
+    double pdf_area(int part, Vec3 point) const;
+    SurfaceCoordinates coordinates(const SurfacePoint& point) const {
+        return coordinates(point.position, point.primitive, point.u, point.v);
+    }
+    /// Outward unit normal at a point of a primitive, as a hit names it.
+    Vec3 normal_at(Vec3 point, int primitive) const;
+    struct WorldBall {
+        Vec3 centre;
+        double radius;
+    };
+    /// If the shape is a ball in the world.
+    std::optional<WorldBall> ball() const;
+    /// Index into Scene::shapes.
+    int shape() const { return shape_; }
+
 private:
     /// A flat face: a triangle, or a parallelogram that the two edges span.
     struct Face {
@@ -73,12 +99,6 @@ private:
         double object_radius;
         std::optional<double> radius;  ///< in the world, if it is a sphere there
     };
-    struct SurfacePoint {
-        Vec3 position, normal;
-        double pdf_area;  ///< per m²
-        int primitive = 0;
-        double u = 0.0, v = 0.0;
-    };
     void add_faces(const Geometry& geometry);
     void add_face(Vec3 corner, Vec3 edge_u, Vec3 edge_v, bool triangle);
     void add_faces(const Mesh& mesh);
@@ -93,11 +113,10 @@ private:
     Distribution2D picture_of(int part) const;
 
     SurfacePoint point_at(int part, std::array<double, 2> place) const;
-    SurfacePoint point_of(int part, std::array<double, 2> u) const;
-    double pdf_area(int part, Vec3 point) const;
     double pdf_area_of_ball(const Ball& ball, Vec3 point) const;
     SurfaceCoordinates coordinates(Vec3 position, int primitive, double u, double v) const;
 
+    int shape_;
     Glow glow_;
     Transform<World, Object> world_from_object_;
     std::shared_ptr<const Mesh> mesh_;  ///< one of these two

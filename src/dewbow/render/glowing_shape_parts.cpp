@@ -38,7 +38,8 @@ LightBounds flat_bounds(const Glow& glow, const Bounds& box, double area, Vec3 n
 }  // namespace
 
 GlowingShape::GlowingShape(const Scene& scene, int index)
-    : glow_(scene.materials[std::size_t(scene.shapes[std::size_t(index)].material)]),
+    : shape_(index),
+      glow_(scene.materials[std::size_t(scene.shapes[std::size_t(index)].material)]),
       world_from_object_(scene.shapes[std::size_t(index)].world_from_object) {
     const Shape& shape = scene.shapes[std::size_t(index)];
     if (std::holds_alternative<Plane>(shape.geometry))

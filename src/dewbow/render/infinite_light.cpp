@@ -5,6 +5,7 @@
 
 #include "dewbow/math/sampling.h"
 #include "dewbow/render/brightness.h"
+#include "dewbow/spectrum/rgb.h"
 
 namespace dewbow {
 
@@ -33,11 +34,11 @@ InfiniteLight::InfiniteLight(const Light& light) {
         axis_ = -distant->direction.v;
         spectrum_ = distant->irradiance;
         if (kind_ == Kind::disc) factor_ = radiance_of_disc(cone_width_);
-        irradiance_ = brightness(*spectrum_);
+        irradiance_ = dewbow::brightness(*spectrum_);
     } else if (const auto* even = std::get_if<UniformEnvironment>(&light)) {
         kind_ = Kind::even;
         spectrum_ = even->radiance;
-        irradiance_ = kPi * brightness(*spectrum_);
+        irradiance_ = kPi * dewbow::brightness(*spectrum_);
     } else {
         kind_ = Kind::picture;
         map_.emplace(std::get<std::shared_ptr<const ImageEnvironment>>(light));
@@ -74,6 +75,25 @@ double InfiniteLight::pdf(Vec3 direction) const {
         default:
             return map_->pdf(direction);
     }
+}
+
+std::array<double, 2> InfiniteLight::place_of(Vec3 direction) const {
+    switch (kind_) {
+        case Kind::parallel:
+            return {0.5, 0.5};
+        case Kind::disc:
+            return square_from_uniform_cone(cone_width_,
+                                            from_axis(Dir<World>{axis_}, Dir<World>{direction}));
+        case Kind::even:
+            return square_from_uniform_sphere(Dir<World>{direction});
+        default:
+            return map_->place_of(direction);
+    }
+}
+
+double InfiniteLight::brightness(Vec3 direction) const {
+    if (kind_ == Kind::picture) return xyz_from_rgb(map_->radiance(direction))[1];
+    return kind_ == Kind::even ? irradiance_ / kPi : factor_ * irradiance_;
 }
 
 bool InfiniteLight::shows(Vec3 direction) const {

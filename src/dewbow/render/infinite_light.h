@@ -28,6 +28,10 @@ public:
     std::optional<Sample> sample(std::array<double, 2> u) const;
     /// Per steradian, with which sample() takes `direction`; 0 for parallel light.
     double pdf(Vec3 direction) const;
+    /// The numbers by which sample() takes a `direction` in which it shows.
+    std::array<double, 2> place_of(Vec3 direction) const;
+    /// Y of radiance(), white 1.
+    double brightness(Vec3 direction) const;
     /// Whether a ray along `direction` that meets nothing sees it.
     bool shows(Vec3 direction) const;
     /// Radiance along a `direction` in which it shows; of parallel light the irradiance on a

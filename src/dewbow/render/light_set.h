@@ -58,6 +58,14 @@ public:
     /// `hit`, which is hit.t from the receiver.
     double pdf_of_hit(const Receiver& receiver, Vec3 direction, const Hit& hit) const;
 
+    // The lights themselves, each source in the scene's order.
+    const std::vector<GlowingShape>& shapes() const { return shapes_; }
+    const std::vector<PunctualLight>& punctual() const { return punctual_; }
+    const std::vector<Beam>& beams() const { return beams_; }
+    const std::vector<InfiniteLight>& infinite() const { return infinite_; }
+    /// Index into shapes() of a shape of the scene, or −1.
+    int glowing_of(int shape) const { return glowing_of_shape_[std::size_t(shape)]; }
+
     /// The lights that are infinitely far.
     int infinite_count() const { return int(infinite_.size()); }
     /// Radiance of the `i`-th of them along `direction`; false if it is not there.

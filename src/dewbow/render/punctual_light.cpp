@@ -53,23 +53,30 @@ PunctualLight::PunctualLight(const Light& light) {
 }
 
 std::optional<Arrival> PunctualLight::arrival(Vec3 at) const {
-    const Vec3 position = std::visit([](const auto& light) { return light.position.v; }, light_);
-    const Vec3 to_light = position - at;
+    const Vec3 to_light = position() - at;
     const double d2 = dot(to_light, to_light);
     if (!(d2 > 0.0)) return std::nullopt;
     const double distance = std::sqrt(d2);
     Arrival arrival{to_light / distance, distance, 1.0 / d2};
-    if (const auto* spot = std::get_if<SpotLight>(&light_)) {
-        const double cosine = -dot(arrival.direction, spot->direction.v);
-        const double inside = std::clamp((cosine - cos_outer_) * per_cosine_, 0.0, 1.0);
-        arrival.factor *= inside * inside;
-    } else if (const auto* profile = std::get_if<ProfileLight>(&light_)) {
-        const Dir<Object> leaving =
-            profile->world_from_object.inverse()(Dir<World>{-arrival.direction});
-        arrival.factor *= profile->web->intensity_cd(leaving);
-    }
+    arrival.factor *= factor(-arrival.direction);
     if (!(arrival.factor > 0.0)) return std::nullopt;
     return arrival;
+}
+
+Vec3 PunctualLight::position() const {
+    return std::visit([](const auto& light) { return light.position.v; }, light_);
+}
+
+double PunctualLight::factor(Vec3 leaving) const {
+    if (const auto* spot = std::get_if<SpotLight>(&light_)) {
+        const double cosine = dot(leaving, spot->direction.v);
+        const double inside = std::clamp((cosine - cos_outer_) * per_cosine_, 0.0, 1.0);
+        return inside * inside;
+    }
+    if (const auto* profile = std::get_if<ProfileLight>(&light_))
+        return profile->web->intensity_cd(
+            profile->world_from_object.inverse()(Dir<World>{leaving}));
+    return 1.0;
 }
 
 LightBounds PunctualLight::bounds() const {

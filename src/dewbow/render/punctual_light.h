@@ -28,6 +28,9 @@ public:
 
     /// Nothing where it gives no light.
     std::optional<Arrival> arrival(Vec3 at) const;
+    Vec3 position() const;
+    /// What the spectrum is multiplied with to be the intensity into a direction; may be 0.
+    double factor(Vec3 leaving) const;
     LightBounds bounds() const;
     const Spectrum& spectrum() const;
 
@@ -45,6 +48,7 @@ public:
     /// Brightness of the irradiance at `receiver`; 0 where it gives none.
     double irradiance(const Receiver& receiver) const;
     const Spectrum& spectrum() const { return *light_.irradiance; }
+    const BeamLight& light() const { return light_; }
 
 private:
     BeamLight light_;

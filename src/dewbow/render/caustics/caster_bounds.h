@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Convex bodies around casters, as lamps see them: from infinitely far, and from a point. Rays that
-// enter a body are sampled alike over its silhouette: the faces of a box that a lamp sees tile what
-// it sees of the box.
+// Convex bodies around casters. Rays of one direction are sampled alike over the silhouette that a
+// body shows to it: the faces of a box that are seen tile what is seen of the box.
 
 #include <array>
 #include <optional>
 #include <variant>
 
 #include "dewbow/math/vector.h"
-#include "dewbow/render/caustics/spherical_rectangle.h"
 #include "dewbow/scene/scene.h"
 
 namespace dewbow::caustics {
@@ -27,7 +25,21 @@ struct OrientedBox {
     Vec3 to_world(Vec3 local) const {
         return axes[0] * local.x + axes[1] * local.y + axes[2] * local.z;
     }
+    /// m², of one of the two faces that an axis is perpendicular to.
+    double face_area(int axis) const { return 4.0 * half[(axis + 1) % 3] * half[(axis + 2) % 3]; }
 };
+/// Where a line, given in the box's axes from its centre, enters and leaves a box.
+struct Passage {
+    double t_in, t_out;
+    int axis_in;  ///< perpendicular to the face of entry
+};
+/// Nothing if it misses.
+std::optional<Passage> passage(const OrientedBox& box, Vec3 origin, Vec3 direction);
+/// A point of the face on the side `side` of the axis that is perpendicular to it, in the box's
+/// axes from its centre; and back.   @param place  from 0 to 1 along the two axes that follow.
+Vec3 point_on_face(const OrientedBox& box, std::array<double, 2> place, int axis, double side);
+std::array<double, 2> place_on_face(const OrientedBox& box, Vec3 local, int axis);
+
 struct Ball {
     Vec3 centre;
     double radius;
@@ -72,46 +84,6 @@ public:
 
 private:
     Body body_;
-};
-
-/// The directions from a point outside of a body in which it sees the body.
-class DirectionsTo {
-public:
-    /// Nothing if the point lies in the body, too near to it, or the body has no end.
-    static std::optional<DirectionsTo> from(Vec3 point, const CasterBounds& bounds);
-
-    /// sr.
-    double solid_angle() const { return solid_angle_; }
-    struct Sample {
-        Vec3 direction;
-        double pdf;  ///< per sr
-    };
-    Sample sample(std::array<double, 2> u) const;
-    /// The inverse; nothing in other directions.
-    std::optional<SquarePlace> place_of(Vec3 direction) const;
-
-private:
-    /// A face of a box, in the box's axes: `axis` is perpendicular to it.
-    struct Face {
-        int axis;
-        double share;  ///< of the choices
-        SphericalRectangle seen;
-    };
-    struct ToBox {
-        OrientedBox box;
-        Vec3 from;  ///< of the point, from the centre, in the box's axes
-        std::array<Face, 3> faces;
-        int count = 0;
-        bool far = false;  ///< faces are sampled by area
-    };
-    struct ToBall {
-        Vec3 axis;
-        double width;  ///< 1 − cos of the half angle
-    };
-    DirectionsTo() = default;
-
-    double solid_angle_ = 0.0;
-    std::variant<ToBox, ToBall> to_;
 };
 
 }  // namespace dewbow::caustics

@@ -77,12 +77,15 @@ private:
     int index_;
 };
 
+class Outside;
+
 /// All lamps of a scene: shapes, then points, beams, and what is infinitely far, in LightSet's
 /// order. Lamps that shine on no caster are there, and give nothing.
 class EmissionMaps {
 public:
     /// All must outlive this.
     EmissionMaps(const PreparedScene& prepared, const Casters& casters);
+    ~EmissionMaps();
 
     int size() const { return int(maps_.size()); }
     const EmissionMap& operator[](int i) const { return *maps_[std::size_t(i)]; }
@@ -92,6 +95,7 @@ public:
     }
 
 private:
+    std::unique_ptr<const Outside> outside_;
     std::vector<std::unique_ptr<const EmissionMap>> maps_;
     std::array<int, 4> first_{};  ///< of each source
 };

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What the maps of all kinds of lamps share: one of the four numbers chooses the group of casters
+// that the ray is aimed at, by what the lamp sends there, and is stretched to be used again.
+
+#include "dewbow/math/distribution.h"
+#include "dewbow/render/caustics/emission_map.h"
+
+namespace dewbow::caustics {
+
+class GroupedEmission : public EmissionMap {
+public:
+    std::optional<EmittedRay> ray(const std::array<double, 4>& u) const final;
+    int places(const Ray& ray, std::span<Place> places) const final;
+    double power() const final { return power_; }
+
+protected:
+    /// @param axis  of the number that chooses.
+    GroupedEmission(LightSample::Source source, int index, const std::vector<CasterBounds>& groups,
+                    std::size_t axis)
+        : EmissionMap(source, index), groups_(groups), axis_(axis) {}
+
+    /// A ray towards one target that meets it; `pdf` without the choice of the target.
+    virtual std::optional<EmittedRay> towards(int target, const std::array<double, 4>& u) const = 0;
+    /// The inverse; nothing if the ray does not meet the target.
+    virtual std::optional<Place> place_towards(int target, const Ray& ray) const = 0;
+    /// Y of what radiance() gives, white 1.
+    virtual double brightness(const EmittedRay& ray) const = 0;
+
+    /// Chooses by the mean of brightness / pdf over some rays. To be called once all is ready.
+    /// @param targets  how many there are.   @param dark  those that get no light for certain.
+    /// @param whole  flux of the whole lamp.
+    void weigh(int targets, const std::vector<bool>& dark, double whole);
+
+    EmittedRay lit(const Ray& ray, double pdf, bool without_extent) const {
+        return {ray, source(), index(), without_extent, 1.0, {}, pdf};
+    }
+    const std::vector<CasterBounds>& groups() const { return groups_; }
+    bool meets_any(Vec3 origin, Vec3 direction) const;
+
+private:
+    const std::vector<CasterBounds>& groups_;
+    std::size_t axis_;
+    std::optional<Distribution1D> choose_;  ///< nothing: it gives none light
+    double power_ = 0.0;
+};
+
+/// The number by which `distribution` gives a place in a cell.
+double number_of(const Distribution1D& distribution, std::size_t cell, double offset);
+
+}  // namespace dewbow::caustics
