@@ -31,23 +31,13 @@ std::vector<double> edges_of(const EmissionMaps& maps) {
     return edges;
 }
 
-std::vector<int> number_glowing_shapes(const Scene& scene) {
-    std::vector<int> numbers(scene.shapes.size(), -1);
-    int next = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (scene.materials[std::size_t(scene.shapes[i].material)].gives_light())
-            numbers[i] = next++;
-    return numbers;
-}
-
 }  // namespace
 
 AimedEmission::AimedEmission(const PreparedScene& prepared)
     : prepared_(prepared),
       casters_(prepared.scene, prepared.see_through),
       maps_(prepared, casters_),
-      edges_(edges_of(maps_)),
-      lamp_of_shape_(number_glowing_shapes(prepared.scene)) {}
+      edges_(edges_of(maps_)) {}
 
 std::size_t AimedEmission::lamp_at(double choice) const {
     const auto after = std::upper_bound(edges_.begin(), edges_.end(), choice);
@@ -63,7 +53,7 @@ AimedEmission::Aim AimedEmission::aim(const AimPoint& u) const {
     // One group of casters leaves one way.
     aim.ray->pdf = casters_.groups().size() == 1
                        ? aim.ray->pdf * sample.density * (edges_[lamp + 1] - edges_[lamp])
-                       : density_of(lamp, aim.ray->ray);
+                       : density_of(lamp, aim.ray->ray, sample.at);
     if (!(aim.ray->pdf > 0.0)) aim.ray.reset();
     return aim;
 }
@@ -79,33 +69,38 @@ std::optional<EmittedRay> AimedEmission::sample(double u_light,
     return aim({u_light, u[0], u[1], u[2], u[3]}).ray;
 }
 
-/// Of a ray that leaves that lamp.
-double AimedEmission::density_of(std::size_t lamp, const Ray& ray) const {
+/// Of a ray that leaves that lamp.   @param at  a place that gives it; of lamps with extent any:
+/// coordinates that the lamp does not look at are taken from it.
+double AimedEmission::density_of(std::size_t lamp, const Ray& ray, const AimPoint& at) const {
     const double low = edges_[lamp], share = edges_[lamp + 1] - low;
     if (!(share > 0.0)) return 0.0;
     std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
-    const int count = maps_[int(lamp)].places(ray, places);
+    const EmissionMap& map = maps_[int(lamp)];
+    const int count = map.places(ray, places);
+    const auto dimensions = std::size_t(map.dimensions());
     double sum = 0.0;
+    AimPoint other = at;
+    other[0] = low + 0.5 * share;
     for (int i = 0; i < count; ++i) {
         const EmissionMap::Place& place = places[std::size_t(i)];
-        const AimPoint at{low + 0.5 * share, place.u[0], place.u[1], place.u[2], place.u[3]};
-        sum += place.pdf * density_.density(at);
+        std::copy_n(place.u.begin(), dimensions, other.begin() + 1);
+        sum += place.pdf * density_.density(other);
     }
     return share * sum;
 }
 
 double AimedEmission::density_of_hit(const Hit& lamp, Vec3 point, const Ray& camera_ray) const {
-    const int number = lamp_of_shape_[std::size_t(lamp.shape)];
+    const int number = prepared_.lights.glowing_of(lamp.shape);
     if (number < 0) return 0.0;
     const Vec3 direction = -camera_ray.direction;
     const SurfaceFrom from{lamp.shape, lamp.primitive, dot(direction, lamp.normal) < 0.0};
     return density_of(std::size_t(maps_.of(LightSample::Source::shape, number)),
-                      {point, direction, from});
+                      {point, direction, from}, {});
 }
 
 double AimedEmission::density_of_infinite(int i, const Ray& camera_ray) const {
     return density_of(std::size_t(maps_.of(LightSample::Source::infinite, i)),
-                      {camera_ray.origin, -camera_ray.direction, {}});
+                      {camera_ray.origin, -camera_ray.direction, {}}, {});
 }
 
 }  // namespace dewbow::caustics

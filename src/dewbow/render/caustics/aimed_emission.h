@@ -59,13 +59,12 @@ public:
 
 private:
     std::size_t lamp_at(double choice) const;
-    double density_of(std::size_t lamp, const Ray& ray) const;
+    double density_of(std::size_t lamp, const Ray& ray, const AimPoint& at) const;
 
     const PreparedScene& prepared_;
     Casters casters_;
     EmissionMaps maps_;
-    std::vector<double> edges_;       ///< lamp i is chosen in [edges_[i], edges_[i + 1])
-    std::vector<int> lamp_of_shape_;  ///< one a shape: its number among those that glow, or −1
+    std::vector<double> edges_;  ///< lamp i is chosen in [edges_[i], edges_[i + 1])
     LearntDensity density_;
 };
 
