@@ -32,10 +32,14 @@ Vec3 mirror_normal(const Vertex& vertex) {
 }
 
 Vertex vertex_at(const PreparedScene& prepared, const Ray& ray, const Hit& hit) {
+    return vertex_from(prepared, ray.origin + ray.direction * hit.t, -ray.direction, hit);
+}
+
+Vertex vertex_from(const PreparedScene& prepared, Vec3 position, Vec3 wo, const Hit& hit) {
     Vertex v;
-    v.position = ray.origin + ray.direction * hit.t;
-    v.wo = -ray.direction;
-    v.front = dot(ray.direction, hit.normal) < 0.0;
+    v.position = position;
+    v.wo = wo;
+    v.front = dot(wo, hit.normal) > 0.0;
     const double side = v.front ? 1.0 : -1.0;
     v.geometric = hit.normal * side;
     v.shading = prepared.accelerator.shading_normal(hit) * side;

@@ -35,6 +35,8 @@ struct Vertex {
 };
 
 Vertex vertex_at(const PreparedScene& prepared, const Ray& ray, const Hit& hit);
+/// The same place as a path meets it that comes from `wo`.
+Vertex vertex_from(const PreparedScene& prepared, Vec3 position, Vec3 wo, const Hit& hit);
 
 /// Index of the material that a ray meets: of a mix, the part that the random number chooses.
 /// @param vertex  that of the number.

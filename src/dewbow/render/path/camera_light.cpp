@@ -6,11 +6,7 @@
 
 namespace dewbow::walk {
 
-namespace {
-
-double power_heuristic(double a, double b) { return a * a / (a * a + b * b); }
-
-}  // namespace
+using caustics::power_heuristic;
 
 /// `radiance` that arrives at the end of the path. What it carries is divided by the square of the
 /// index; the factor is put back here.
@@ -32,6 +28,18 @@ void CameraWalk::add(const SharedPath& path, const LaneValues& radiance, double 
     }
 }
 
+/// Whether light paths can find the light that the path has run into.
+bool CameraWalk::shared_with_light(const SharedPath& path) {
+    return path.note > 0.0 && path.last.specular;
+}
+
+/// @param next_event  density of direct light for the same direction; 0 if it cannot take it.
+/// @param density  of the lamp's ray, with which light paths start; 0 if they cannot.
+double CameraWalk::weight_of_chance(const SharedPath& path, double next_event, double density) {
+    const double chance = path.last.specular ? 1.0 : path.last.pdf;
+    return power_heuristic(chance, next_event, density > 0.0 ? chance * path.note * density : 0.0);
+}
+
 void CameraWalk::on_leaving(const SharedPath& path) {
     const LightSet& lights = prepared_.lights;
     const LastTurn& last = path.last;
@@ -40,11 +48,11 @@ void CameraWalk::on_leaving(const SharedPath& path) {
         const Vec3 direction = path.ray.direction;
         if (!lights.infinite_radiance(i, direction, path.lanes, light_colours(), radiance))
             continue;
-        const double weight =
-            last.specular
-                ? 1.0
-                : power_heuristic(last.pdf, lights.pdf_of_infinite(last.receiver, i, direction));
-        add(path, radiance, weight);
+        const double next_event =
+            last.specular ? 0.0 : lights.pdf_of_infinite(last.receiver, i, direction);
+        const double density =
+            shared_with_light(path) ? light_paths_->emission.density_of_infinite(i, path.ray) : 0.0;
+        add(path, radiance, weight_of_chance(path, next_event, density));
     }
 }
 
@@ -55,14 +63,16 @@ void CameraWalk::on_lamp(const SharedPath& path, const Hit& hit) {
     SurfaceCoordinates at;
     if (lights.emission_varies(hit)) at = prepared_.accelerator.coordinates(hit, position);
     lights.emission(hit, at, path.lanes, light_colours(), radiance);
-    double weight = 1.0;
+    double next_event = 0.0;
     if (!path.last.specular) {
         Hit seen_from = hit;
         seen_from.t = length(position - path.last.receiver.position);
-        weight = power_heuristic(
-            path.last.pdf, lights.pdf_of_hit(path.last.receiver, path.ray.direction, seen_from));
+        next_event = lights.pdf_of_hit(path.last.receiver, path.ray.direction, seen_from);
     }
-    add(path, radiance, weight);
+    const double density = shared_with_light(path)
+                               ? light_paths_->emission.density_of_hit(hit, position, path.ray)
+                               : 0.0;
+    add(path, radiance, weight_of_chance(path, next_event, density));
 }
 
 /// Direct light at `vertex`. `eval(wi, f)` gives BSDF × cosine at each lane and returns the density
@@ -90,13 +100,14 @@ void CameraWalk::direct_light(const SharedPath& path, const Vertex& vertex, bool
     add(path, radiance, weight / light->pdf);
 }
 
-void CameraWalk::on_scatterer(const SharedPath& path, const Scatterer& at) {
+bool CameraWalk::on_scatterer(const SharedPath& path, const Scatterer& at) {
     const bool both_sides = ScatteringSurface::transmits(at.material);
     direct_light(path, at.vertex, both_sides, [&](Vec3 direction, LaneValues& f) {
         const Vec3 wi = at.frame.to_local(direction);
         const bool above = dot(direction, at.vertex.geometric) > 0.0;
         return (wi.z > 0.0) == above ? at.surface.eval(wi, f) : 0.0;
     });
+    return true;
 }
 
 void CameraWalk::on_rough_glass(const SharedPath& lane, const RoughGlass& at) {

@@ -3,13 +3,14 @@
 
 namespace dewbow::walk {
 
-CameraWalk::CameraWalk(const PreparedScene& prepared, const WavelengthPacket& packet,
-                       const SampleKey& key, MediaStack start)
-    : PacketWalk(prepared, packet, key), start_(start) {
+CameraWalk::CameraWalk(const PreparedScene& prepared, const caustics::LightPaths* light_paths,
+                       const WavelengthPacket& packet, const SampleKey& key, MediaStack start)
+    : PacketWalk(Start::camera, prepared, packet, key), light_paths_(light_paths), start_(start) {
     result_.wavelengths = packet;
 }
 
 PixelSample CameraWalk::run(const Ray& ray) {
+    eye_ = ray.origin;
     follow(shared_start(ray, start_));
     return result_;
 }
@@ -19,6 +20,7 @@ PixelSample CameraWalk::run_open(const Ray& first, const RayLanes& rays) {
     if (hit && settings_.max_depth > 0)
         see_first(prepared_, vertex_at(first, hit), material_at(first, hit, vertex_key(0, 0)),
                   result_);
+    eye_ = rays.origin(0);
     follow(open_start(rays, start_));
     return result_;
 }
@@ -26,6 +28,16 @@ PixelSample CameraWalk::run_open(const Ray& first, const RayLanes& rays) {
 void CameraWalk::on_surface(const SharedPath& path, const Vertex& vertex, int material) {
     if (!result_.hit && path.depth == 0 && path.branch == 0)
         see_first(prepared_, vertex, material, result_);
+}
+
+/// Light paths come where the camera sees what scatters.
+void CameraWalk::on_scattered(SharedPath& path, const Scatterer& at, Vec3 wi) {
+    if (!light_paths_ || !path.sees_start()) return;
+    const Vertex& y1 = at.vertex;
+    path.note = caustics::light_ratio(
+        *light_paths_, std::abs(dot(path.ray.direction, y1.geometric)),
+        std::abs(dot(y1.wo, y1.geometric)), prepared_.camera.pixels_per_m2(eye_, y1.position),
+        at.surface.typical_density(wi));
 }
 
 /// The first choice of lanes that opened where the camera looks is stratified with the place and

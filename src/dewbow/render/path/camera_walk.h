@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "dewbow/render/caustics/weights.h"
 #include "dewbow/render/film.h"
 #include "dewbow/render/walk/packet_walk.h"
 
 namespace dewbow::walk {
 
 /// A path from the camera. At each rough surface it asks one light for direct light, and what it
-/// runs into that gives light counts too; the power heuristic weighs both. [Veach 1997, 9.2]
+/// runs into that gives light counts too; the power heuristic weighs both, and light paths where
+/// there are any (caustics/weights.h).                                       [Veach 1997, 9.2]
 ///
 /// Behind a lens with dispersion a path begins open. All lanes start at one point of the lens,
 /// whose density is the same for each, so that it cancels against the mean over the aperture that a
 /// pixel shows, and each lane begins with the throughput 1.
+///
+/// A path's note is what the density of a lamp's ray is multiplied with to be the number of light
+/// paths for each camera path, in m² sr; 0 where light paths do not come.
 class CameraWalk : public PacketWalk {
 public:
-    CameraWalk(const PreparedScene& prepared, const WavelengthPacket& packet, const SampleKey& key,
-               MediaStack start);
+    /// @param light_paths  those of this render, or nullptr.
+    CameraWalk(const PreparedScene& prepared, const caustics::LightPaths* light_paths,
+               const WavelengthPacket& packet, const SampleKey& key, MediaStack start);
 
     PixelSample run(const Ray& ray);
     /// Each lane on its own ray from the start; `first` is what the layers see.
@@ -23,7 +29,8 @@ public:
 
 private:
     void on_surface(const SharedPath& path, const Vertex& vertex, int material) override;
-    void on_scatterer(const SharedPath& path, const Scatterer& at) override;
+    bool on_scatterer(const SharedPath& path, const Scatterer& at) override;
+    void on_scattered(SharedPath& path, const Scatterer& at, Vec3 wi) override;
     void on_rough_glass(const SharedPath& lane, const RoughGlass& at) override;
     void on_lamp(const SharedPath& path, const Hit& hit) override;
     void on_leaving(const SharedPath& path) override;
@@ -31,9 +38,13 @@ private:
 
     template <class Eval>
     void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, Eval&& eval);
+    static bool shared_with_light(const SharedPath& path);
+    static double weight_of_chance(const SharedPath& path, double next_event, double density);
     void add(const SharedPath& path, const LaneValues& radiance, double weight);
 
+    const caustics::LightPaths* light_paths_;
     const MediaStack start_;
+    Vec3 eye_;  ///< where the camera's rays start, a point of the lens
     PixelSample result_;
 };
 

@@ -23,7 +23,8 @@ private:
 
 }  // namespace
 
-PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index) {
+PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std::uint32_t index,
+                               const caustics::LightPaths* light_paths) {
     const RenderSettings& settings = prepared.scene.render;
     const SampleKey key(stream_key(settings.seed, std::uint32_t(x), std::uint32_t(y)), index);
     // Behind a prism light depends on place and wavelength together: they are stratified together.
@@ -34,20 +35,21 @@ PixelSample trace_pixel_sample(const PreparedScene& prepared, int x, int y, std:
     const CameraRays& camera = prepared.camera;
     const Ray ray = camera.ray(x, y, key);
     if (!camera.disperses())
-        return trace_sample(prepared, ray, prepared.camera_media, wavelengths, key);
+        return trace_sample(prepared, ray, prepared.camera_media, wavelengths, key, light_paths);
     return trace_open_sample(prepared, ray, camera.rays(x, y, key, wavelengths.lambdas()),
-                             prepared.camera_media, wavelengths, key);
+                             prepared.camera_media, wavelengths, key, light_paths);
 }
 
 PixelSample trace_sample(const PreparedScene& prepared, const Ray& ray, MediaStack media,
-                         const WavelengthPacket& wavelengths, const SampleKey& key) {
-    return walk::CameraWalk(prepared, wavelengths, key, media).run(ray);
+                         const WavelengthPacket& wavelengths, const SampleKey& key,
+                         const caustics::LightPaths* light_paths) {
+    return walk::CameraWalk(prepared, light_paths, wavelengths, key, media).run(ray);
 }
 
 PixelSample trace_open_sample(const PreparedScene& prepared, const Ray& first, const RayLanes& rays,
                               MediaStack media, const WavelengthPacket& wavelengths,
-                              const SampleKey& key) {
-    return walk::CameraWalk(prepared, wavelengths, key, media).run_open(first, rays);
+                              const SampleKey& key, const caustics::LightPaths* light_paths) {
+    return walk::CameraWalk(prepared, light_paths, wavelengths, key, media).run_open(first, rays);
 }
 
 std::unique_ptr<Estimator> make_path_estimator(const Scene& scene) {

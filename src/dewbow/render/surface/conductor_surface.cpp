@@ -29,6 +29,10 @@ double ConductorSurface::eval(Vec3 wi, LaneValues& f) const {
     return (1.0 - multiple_share_) * once.pdf + multiple_share_ * kEvenHemispherePdf;
 }
 
+double ConductorSurface::typical_density(Vec3 wi) const {
+    return (1.0 - lost_) * lobe_.eval(wi).pdf + lost_ * kEvenHemispherePdf;
+}
+
 std::optional<Vec3> ConductorSurface::sample(double u_lobe, std::array<double, 2> u) const {
     return u_lobe < multiple_share_ ? sample_even_hemisphere(u) : lobe_.sample(u);
 }

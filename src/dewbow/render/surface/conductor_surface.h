@@ -15,6 +15,7 @@ class ConductorSurface {
 public:
     ConductorSurface(const Conductor& material, const SurfaceView& view);
     double eval(Vec3 wi, LaneValues& f) const;
+    double typical_density(Vec3 wi) const;
     std::optional<Vec3> sample(double u_lobe, std::array<double, 2> u) const;
 
 private:

@@ -19,6 +19,7 @@ public:
         for (int k = 0; k < count_; ++k) f[k] = reflectance_[k] / std::numbers::pi * wi.z;
         return pdf_cosine_hemisphere(wi.z);
     }
+    double typical_density(Vec3 wi) const { return pdf_cosine_hemisphere(wi.z); }
     std::optional<Vec3> sample(double, std::array<double, 2> u) const {
         return sample_cosine_hemisphere(u[0], u[1]).v;
     }

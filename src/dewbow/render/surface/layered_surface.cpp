@@ -119,6 +119,17 @@ double LayeredSurface::eval(Vec3 wi, LaneValues& f) const {
     return pdf;
 }
 
+/// Equal shares of the lobes that it has.
+double LayeredSurface::typical_density(Vec3 wi) const {
+    double sum = lobe_.eval(wi).pdf;
+    int lobes = 1;
+    const auto add = [&](double pdf) { sum += pdf, ++lobes; };
+    if (has_body_) add(pdf_cosine_hemisphere(wi.z));
+    if (clearcoat_) add(clearcoat_->eval(wi).pdf);
+    if (sheen_) add(kEvenHemispherePdf);
+    return sum / lobes;
+}
+
 std::optional<Vec3> LayeredSurface::sample(double u_lobe, std::array<double, 2> u) const {
     if (u_lobe < shares_.body) return sample_cosine_hemisphere(u[0], u[1]).v;
     u_lobe -= shares_.body;

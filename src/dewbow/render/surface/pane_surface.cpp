@@ -49,6 +49,12 @@ double PaneSurface::eval(Vec3 wi, LaneValues& f) const {
     return (1.0 - lost_) * share * once.pdf + lost_ * average_share * kEvenHemispherePdf;
 }
 
+double PaneSurface::typical_density(Vec3 wi) const {
+    constexpr double kShareOfSide = 0.5;
+    const double once = lobe_.eval({wi.x, wi.y, std::abs(wi.z)}).pdf;
+    return kShareOfSide * ((1.0 - lost_) * once + lost_ * kEvenHemispherePdf);
+}
+
 std::optional<Vec3> PaneSurface::sample(double u_lobe, std::array<double, 2> u) const {
     const auto on_side = [](Vec3 wi, bool reflects) {
         return Vec3{wi.x, wi.y, reflects ? wi.z : -wi.z};

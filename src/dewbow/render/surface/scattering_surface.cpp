@@ -33,6 +33,11 @@ double ScatteringSurface::eval(Vec3 wi, LaneValues& f) const {
     return std::visit([&](const auto& kind) { return kind.eval(wi, f); }, kind_);
 }
 
+double ScatteringSurface::typical_density(Vec3 wi) const {
+    if (wi.z == 0.0 || (wi.z < 0.0 && !transmits_)) return 0.0;
+    return std::visit([&](const auto& kind) { return kind.typical_density(wi); }, kind_);
+}
+
 std::optional<Vec3> ScatteringSurface::sample(double u_lobe, std::array<double, 2> u) const {
     return std::visit([&](const auto& kind) { return kind.sample(u_lobe, u); }, kind_);
 }

@@ -31,6 +31,9 @@ public:
     /// BSDF × |cos θ_i| of each lane into `f`; returns the density of sample() for `wi`. Of opaque
     /// surfaces 0 from below.
     double eval(Vec3 wi, LaneValues& f) const;
+    /// About the density of sample() for `wi`, in a form that does not depend on the wavelengths
+    /// that are looked at: > 0 wherever that density is.
+    double typical_density(Vec3 wi) const;
     /// A direction, or nothing if it leads below the surface.
     std::optional<Vec3> sample(double u_lobe, std::array<double, 2> u) const;
 

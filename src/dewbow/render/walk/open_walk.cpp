@@ -25,6 +25,7 @@ OpenPath PacketWalk::open_start(const RayLanes& rays, MediaStack media) const {
     path.beta.v.fill(1.0);
     path.media.fill(media);
     path.active = (1u << rays.count) - 1u;
+    path.note.v.fill(0.0);
     return path;
 }
 
@@ -109,6 +110,7 @@ void PacketWalk::pass(OpenPath& path, int k, const Hit& hit, const Boundary& bou
     path.media[i] = boundary.after;
     path.rays.set(k, vertex_at(path.rays.ray(k), hit).leave(path.rays.direction(k)));
     path.last[i].specular = path.last[i].specular || stops_shadows(hit.shape);
+    path.hidden |= LaneMask(stops_shadows(hit.shape)) << k;
 }
 
 void PacketWalk::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hits,
@@ -149,10 +151,14 @@ void PacketWalk::open_smooth(OpenPath& path, LaneMask group, const HitLanes& hit
         const int k = std::countr_zero(rest);
         const auto i = std::size_t(k);
         const bool reflects = reflected >> k & 1u;
+        const Vec3 direction{lanes.dx.v[i], lanes.dy.v[i], lanes.dz.v[i]};
+        if (!flat && start_ == Start::lamp)
+            path.beta[k] *=
+                shading_factor(vertex_at(path.rays.ray(k), hits[i]),
+                               {lanes.nx.v[i], lanes.ny.v[i], lanes.nz.v[i]}, direction);
         path.media[i] = reflects ? boundary.before : boundary.after;
-        path.rays.set(k, {position[i],
-                          {lanes.dx.v[i], lanes.dy.v[i], lanes.dz.v[i]},
-                          {hits[i].shape, hits[i].primitive, front != reflects}});
+        path.rays.set(
+            k, {position[i], direction, {hits[i].shape, hits[i].primitive, front != reflects}});
         path.last[i].specular = true;
     }
 }
@@ -194,10 +200,10 @@ void PacketWalk::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits
         if ((dot(direction, vertex.geometric) > 0.0) != reflects) continue;
         const RoughDielectric::Value value = surface.eval(*wi);
         if (!(value.pdf > 0.0)) continue;
-        path.beta[k] *= value.f_cos / value.pdf;
+        path.beta[k] *= value.f_cos / value.pdf * shading_factor(vertex, vertex.shading, direction);
         path.media[i] = reflects ? boundary.before : boundary.after;
         path.rays.set(k, vertex.leave(direction));
-        path.last[i] = {false, value.pdf, vertex.receiver(true)};
+        path.last[i] = {false, value.pdf, vertex.receiver(true), true};
         path.active |= 1u << k;
         refracted |= LaneMask(!reflects) << k;
     }
@@ -234,7 +240,8 @@ void PacketWalk::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
         const SharedPath lane = lane_of(path, k);
         const Vertex vertex = vertex_at(lane.ray, hits[std::size_t(k)]);
         const LocalFrame frame(vertex.shading);
-        on_scatterer(lane, {vertex, frame, material, surface_at(lane, vertex, frame, material)});
+        on_scatterer(lane, {hits[std::size_t(k)], vertex, frame, material,
+                            surface_at(lane.lanes, lane.media, vertex, frame, material)});
         total += path.beta[k];
     }
     path.active &= ~group;
@@ -247,7 +254,7 @@ void PacketWalk::collapse(OpenPath& path, LaneMask group, const HitLanes& hits,
         lane.branch = ++branches_;
         const Vertex vertex = vertex_at(lane.ray, hits[std::size_t(chosen)]);
         lane.beta[0] = total / count;  // β over the expected number of times that it is chosen
-        if (scatter(lane, vertex, material, false) &&
+        if (scatter(lane, hits[std::size_t(chosen)], vertex, material, false) &&
             roulette(lane.beta, 1, 1u, lane.depth, vertex_key(lane.depth, lane.branch)))
             memory_.pending.push_back(lane);
     }

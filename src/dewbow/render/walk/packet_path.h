@@ -19,6 +19,7 @@ struct LastTurn {
     bool specular = true;
     double pdf = 0.0;  ///< else of the direction that it took, sr⁻¹
     Receiver receiver;
+    bool rough_glass = false;  ///< what turned it
 };
 
 /// One ray with the lanes that it carries.
@@ -32,7 +33,13 @@ struct SharedPath {
     int passed = 0;            ///< boundaries that are none since the last that was one
     bool scattered = false;    ///< has met something rough
     bool split = false;        ///< has split at a dispersive boundary
+    bool hidden = false;       ///< has passed a boundary that is none, but stops shadow rays
+    bool from_afar = false;    ///< starts infinitely far: nothing is absorbed on the first way
     LastTurn last;
+    double note = 0.0;  ///< what the hooks keep with it
+
+    /// Nothing that stops shadow rays lies between it and its start.
+    bool sees_start() const { return depth == 0 && !hidden; }
 };
 
 /// Lanes on rays of their own.
@@ -44,7 +51,9 @@ struct OpenPath {
     LaneMask active = 0;
     int depth = 0;
     std::uint32_t branch = 0;
+    LaneMask hidden = 0;
     std::array<LastTurn, kMaxLanes> last;
+    LaneValues note;
 };
 
 }  // namespace dewbow::walk

@@ -14,18 +14,28 @@ constexpr double kLeastSurvival = 0.05;
 
 }  // namespace
 
-PacketWalk::PacketWalk(const PreparedScene& prepared, const WavelengthPacket& packet,
+PacketWalk::PacketWalk(Start start, const PreparedScene& prepared, const WavelengthPacket& packet,
                        const SampleKey& key)
     : prepared_(prepared),
       settings_(prepared.scene.render),
       packet_(packet),
       key_(key),
+      start_(start),
       memory_(walk_memory(prepared, packet)) {}
 
 /// Whether a smooth boundary of that shape turns rays by its true normals.
 bool PacketWalk::has_true_normals(int shape) const {
     const int id = prepared_.scene.shapes[std::size_t(shape)].material;
     return prepared_.accelerator.flat(shape) && !material(id).normal_map;
+}
+
+/// What light that goes along the path gets where a shading normal turns it to `next`: surfaces
+/// send radiance on by cosines to the shading normal, but light falls on them by true ones.
+///     |wo·Ns| |next·Ng| / (|wo·Ng| |next·Ns|)                            [Veach 1997, eq. 5.19]
+double PacketWalk::shading_factor(const Vertex& vertex, Vec3 shading, Vec3 next) const {
+    if (start_ == Start::camera || has_true_normals(vertex.shape)) return 1.0;
+    return std::abs(dot(vertex.wo, shading) * dot(next, vertex.geometric) /
+                    (dot(vertex.wo, vertex.geometric) * dot(next, shading)));
 }
 
 void PacketWalk::indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta) {
@@ -107,7 +117,9 @@ SharedPath PacketWalk::lane_of(const OpenPath& path, int k) const {
     lane.depth = path.depth;
     lane.branch = path.branch;
     lane.split = true;
+    lane.hidden = path.hidden >> k & 1u;
     lane.last = path.last[i];
+    lane.note = path.note[k];
     return lane;
 }
 

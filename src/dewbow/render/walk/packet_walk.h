@@ -32,8 +32,12 @@
 
 namespace dewbow::walk {
 
+/// Where a walk starts, and so which way light goes along it. Shading normals make a difference.
+enum class Start { camera, lamp };
+
 /// A rough surface as a path meets it.
 struct Scatterer {
+    const Hit& hit;
     const Vertex& vertex;
     const LocalFrame& frame;
     const Material& material;
@@ -51,7 +55,8 @@ struct RoughGlass {
 
 class PacketWalk {
 public:
-    PacketWalk(const PreparedScene& prepared, const WavelengthPacket& packet, const SampleKey& key);
+    PacketWalk(Start start, const PreparedScene& prepared, const WavelengthPacket& packet,
+               const SampleKey& key);
     virtual ~PacketWalk() = default;
 
 protected:
@@ -69,8 +74,10 @@ protected:
     // Hooks. A path of opened lanes is shown lane by lane.
     /// It met a surface of that material, with all its lanes on one ray.
     virtual void on_surface(const SharedPath&, const Vertex&, int /*material*/) {}
-    /// It met what scatters, and has not been turned yet.
-    virtual void on_scatterer(const SharedPath&, const Scatterer&) {}
+    /// It met what scatters, and has not been turned yet. False: all its lanes on one ray end here.
+    virtual bool on_scatterer(const SharedPath&, const Scatterer&) { return true; }
+    /// It goes on from there along its ray, which is the direction `wi` in the surface's frame.
+    virtual void on_scattered(SharedPath&, const Scatterer&, Vec3 /*wi*/) {}
     /// One lane met rough glass, and has not been turned yet.
     virtual void on_rough_glass(const SharedPath&, const RoughGlass&) {}
     /// It ran into the glowing side of a surface that gives light.
@@ -95,6 +102,9 @@ protected:
     /// What colours of light and of surfaces are at the packet's wavelengths.
     RgbLightLanes& light_colours() { return memory_.light; }
     PacketMedia& packet_media() { return *memory_.media; }
+    /// Seen from vertex.wo, in `media`.
+    ScatteringSurface surface_at(const LaneSet& lanes, MediaStack media, const Vertex& vertex,
+                                 const LocalFrame& frame, const Material& material);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
     void tint(const ColourInput& tint, const Vertex& vertex, const LaneSet& lanes,
               LaneValues& beta);
@@ -112,9 +122,9 @@ private:
     void trace(SharedPath path);
     void finish_pending();
     bool interact(SharedPath& path, const Hit& hit);
-    bool scatter(SharedPath& path, const Vertex& vertex, const Material& material, bool show);
-    ScatteringSurface surface_at(const SharedPath& path, const Vertex& vertex,
-                                 const LocalFrame& frame, const Material& material);
+    bool scatter(SharedPath& path, const Hit& hit, const Vertex& vertex, const Material& material,
+                 bool show);
+    void turn(SharedPath& path, const Vertex& vertex, Vec3 normal, Vec3 direction) const;
     bool reflect(SharedPath& path, const Vertex& vertex);
     bool mirror(SharedPath& path, const Vertex& vertex, const Mirror& mirror);
     bool metal(SharedPath& path, const Vertex& vertex, const Conductor& conductor);
@@ -144,6 +154,7 @@ private:
     // Both.
     const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
     bool has_true_normals(int shape) const;
+    double shading_factor(const Vertex& vertex, Vec3 shading, Vec3 next) const;
     bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
     void index_around(const LaneSet& lanes, MediaStack media, LaneValues& index);
@@ -154,6 +165,7 @@ private:
     void tint_open(const ColourInput& tint, OpenPath& path, LaneMask mask, const RayLanes& arriving,
                    const HitLanes& hits);
 
+    const Start start_;
     WalkMemory& memory_;
     std::uint32_t branches_ = 0;
 };

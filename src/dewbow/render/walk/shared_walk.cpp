@@ -43,7 +43,8 @@ void PacketWalk::finish_pending() {
 void PacketWalk::trace(SharedPath path) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(path.ray);
-        if (hit) absorb(path.lanes, path.beta, path.media, hit.t);
+        if (hit && !path.from_afar) absorb(path.lanes, path.beta, path.media, hit.t);
+        path.from_afar = false;
         if (!hit) {
             on_leaving(path);
             return;
@@ -72,7 +73,7 @@ bool PacketWalk::interact(SharedPath& path, const Hit& hit) {
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
         return is_rough(*glass) ? rough(path, hit, *glass, prepared_.media.interior_of(id))
                                 : smooth(path, vertex, *glass, prepared_.media.interior_of(id));
-    if (ScatteringSurface::holds(material)) return scatter(path, vertex, material, true);
+    if (ScatteringSurface::holds(material)) return scatter(path, hit, vertex, material, true);
     if (const auto* m = std::get_if<Mirror>(&material.surface)) return mirror(path, vertex, *m);
     if (const auto* c = std::get_if<Conductor>(&material.surface)) return metal(path, vertex, *c);
     if (const auto* pane = std::get_if<ThinDielectric>(&material.surface))
@@ -80,20 +81,22 @@ bool PacketWalk::interact(SharedPath& path, const Hit& hit) {
     return false;
 }
 
-ScatteringSurface PacketWalk::surface_at(const SharedPath& path, const Vertex& vertex,
-                                         const LocalFrame& frame, const Material& material) {
+ScatteringSurface PacketWalk::surface_at(const LaneSet& lanes, MediaStack media,
+                                         const Vertex& vertex, const LocalFrame& frame,
+                                         const Material& material) {
     LaneValues outside;
-    index_around(path.lanes, path.media, outside);
+    index_around(lanes, media, outside);
     Vec3 wo = frame.to_local(vertex.wo);
     wo.z = std::max(wo.z, kLeastCosineSeen);
-    return {material, {inputs_at(vertex), path.lanes, outside, wo}};
+    return {material, {inputs_at(vertex), lanes, outside, wo}};
 }
 
-bool PacketWalk::scatter(SharedPath& path, const Vertex& vertex, const Material& material,
-                         bool show) {
+bool PacketWalk::scatter(SharedPath& path, const Hit& hit, const Vertex& vertex,
+                         const Material& material, bool show) {
     const LocalFrame frame(vertex.shading);
-    const ScatteringSurface surface = surface_at(path, vertex, frame, material);
-    if (show) on_scatterer(path, {vertex, frame, material, surface});
+    const ScatteringSurface surface = surface_at(path.lanes, path.media, vertex, frame, material);
+    const Scatterer scatterer{hit, vertex, frame, material, surface};
+    if (show && !on_scatterer(path, scatterer)) return false;
     const std::uint32_t at = vertex_key(path.depth, path.branch);
     const std::optional<Vec3> wi =
         surface.sample(key_.one(at, Purpose::bsdf_lobe), key_.two(at, Purpose::bsdf_direction));
@@ -103,19 +106,29 @@ bool PacketWalk::scatter(SharedPath& path, const Vertex& vertex, const Material&
     const Vec3 direction = frame.to_world(*wi);
     const bool above = dot(direction, vertex.geometric) > 0.0;
     if (!(pdf > 0.0) || above != (wi->z > 0.0)) return false;
-    for (int k = 0; k < path.lanes.count; ++k) path.beta[k] *= f[k] / pdf;
+    const double factor = shading_factor(vertex, vertex.shading, direction);
+    for (int k = 0; k < path.lanes.count; ++k) path.beta[k] *= f[k] / pdf * factor;
     path.ray = vertex.leave(direction);
     path.scattered = true;
-    path.last = {false, pdf, vertex.receiver(ScatteringSurface::transmits(material))};
+    path.last = {false, pdf, vertex.receiver(ScatteringSurface::transmits(material)), false};
+    on_scattered(path, scatterer, *wi);
     ++path.depth;
     return true;
 }
 
-/// As a mirror does.
-bool PacketWalk::reflect(SharedPath& path, const Vertex& vertex) {
-    path.ray = vertex.leave(normalised(reflected(vertex.wo, mirror_normal(vertex))));
+/// Sends the path on along `direction`, from a smooth surface that has this normal for light.
+void PacketWalk::turn(SharedPath& path, const Vertex& vertex, Vec3 normal, Vec3 direction) const {
+    const double factor = shading_factor(vertex, normal, direction);
+    for (int k = 0; k < path.lanes.count; ++k) path.beta[k] *= factor;
+    path.ray = vertex.leave(direction);
     path.last.specular = true;
     ++path.depth;
+}
+
+/// As a mirror does.
+bool PacketWalk::reflect(SharedPath& path, const Vertex& vertex) {
+    const Vec3 normal = mirror_normal(vertex);
+    turn(path, vertex, normal, normalised(reflected(vertex.wo, normal)));
     return true;
 }
 
@@ -146,11 +159,8 @@ bool PacketWalk::thin(SharedPath& path, const Vertex& vertex, const ThinDielectr
     for (int k = 0; k < path.lanes.count; ++k)
         path.beta[k] *= reflects ? r[k] / mean : (1.0 - r[k]) / (1.0 - mean);
     if (!reflects) tint(pane.tint, vertex, path.lanes, path.beta);
-    const Vec3 direction =
-        reflects ? normalised(reflected(vertex.wo, mirror_normal(vertex))) : -vertex.wo;
-    path.ray = vertex.leave(direction);
-    path.last.specular = true;
-    ++path.depth;
+    const Vec3 normal = mirror_normal(vertex);
+    turn(path, vertex, normal, reflects ? normalised(reflected(vertex.wo, normal)) : -vertex.wo);
     return true;
 }
 
@@ -161,6 +171,7 @@ bool PacketWalk::smooth(SharedPath& path, const Vertex& vertex, const Dielectric
         path.ray = vertex.leave(path.ray.direction);
         // Shadow rays do not know it: what lies behind is found by chance alone.
         path.last.specular = path.last.specular || stops_shadows(vertex.shape);
+        path.hidden = path.hidden || stops_shadows(vertex.shape);
         return ++path.passed <= kMostPassed;
     }
     const int count = path.lanes.count;
@@ -184,11 +195,9 @@ bool PacketWalk::smooth(SharedPath& path, const Vertex& vertex, const Dielectric
     if (spreads)
         for (int k = 0; k < count; ++k)
             path.beta[k] *= reflects ? r[k] / mean : (1.0 - r[k]) / (1.0 - mean);
-    path.last.specular = true;
     if (reflects) {
         path.media = boundary.before;
-        path.ray = vertex.leave(normalised(reflected(vertex.wo, normal)));
-        ++path.depth;
+        turn(path, vertex, normal, normalised(reflected(vertex.wo, normal)));
         return true;
     }
     tint(glass.tint, vertex, path.lanes, path.beta);
@@ -198,9 +207,8 @@ bool PacketWalk::smooth(SharedPath& path, const Vertex& vertex, const Dielectric
     }
     const double cos_t = std::sqrt(std::max(0.0, cos2_transmitted(cos_i, eta[0])));
     path.media = boundary.after;
-    path.ray =
-        vertex.leave(normalised(normal * (cos_i / eta[0] - cos_t) - vertex.wo * (1.0 / eta[0])));
-    ++path.depth;
+    turn(path, vertex, normal,
+         normalised(normal * (cos_i / eta[0] - cos_t) - vertex.wo * (1.0 / eta[0])));
     return true;
 }
 
@@ -218,11 +226,9 @@ void PacketWalk::split_shared(SharedPath& path, const Vertex& vertex, const Diel
     tint(glass.tint, vertex, path.lanes, refracted_beta);
     open_transmitted(path, vertex, refracted_beta, boundary, eta, normal);
     path.media = boundary.before;
-    path.ray = vertex.leave(normalised(reflected(vertex.wo, normal)));
     path.split = true;
-    path.last.specular = true;
     path.branch = ++branches_;
-    ++path.depth;
+    turn(path, vertex, normal, normalised(reflected(vertex.wo, normal)));
 }
 
 void PacketWalk::open_transmitted(const SharedPath& path, const Vertex& vertex,
@@ -235,12 +241,14 @@ void PacketWalk::open_transmitted(const SharedPath& path, const Vertex& vertex,
     open.branch = ++branches_;
     open.rays.count = path.lanes.count;
     open.media.fill(boundary.after);
+    open.note.v.fill(path.note);
     const double cos_i = std::min(1.0, dot(vertex.wo, normal));
     for (int k = 0; k < path.lanes.count; ++k) {
         const double cos2_t = cos2_transmitted(cos_i, eta[k]);
         if (!(cos2_t > 0.0) || beta[k] == 0.0) continue;
         const Vec3 d =
             normalised(normal * (cos_i / eta[k] - std::sqrt(cos2_t)) - vertex.wo * (1.0 / eta[k]));
+        open.beta[k] *= shading_factor(vertex, normal, d);
         open.rays.set(k, vertex.leave(d));
         open.active |= 1u << k;
     }
@@ -260,6 +268,8 @@ bool PacketWalk::rough(SharedPath& path, const Hit& hit, const Dielectric& glass
     open.rays.count = path.lanes.count;
     open.active = (1u << path.lanes.count) - 1u;
     open.media.fill(path.media);
+    open.hidden = path.hidden ? open.active : 0;
+    open.note.v.fill(path.note);
     open.last.fill(path.last);
     for (int k = 0; k < path.lanes.count; ++k) open.rays.set(k, path.ray);
     HitLanes hits;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/render/caustics/light_walk.h"
+
+#include <cmath>
+
+namespace dewbow::caustics {
+
+using walk::Scatterer;
+using walk::SharedPath;
+
+LightWalk::LightWalk(const PreparedScene& prepared, const LightPaths& light_paths,
+                     const WavelengthPacket& packet, const SampleKey& key, SplatList& splats)
+    : PacketWalk(walk::Start::lamp, prepared, packet, key),
+      light_paths_(light_paths),
+      splats_(splats) {}
+
+void LightWalk::run(const EmittedRay& emitted, MediaStack media) {
+    emitted_ = &emitted;
+    SharedPath path = shared_start(emitted.ray, media);
+    path.from_afar = emitted.source == LightSample::Source::infinite;
+    light_paths_.emission.radiance(emitted, path.lanes, light_colours(), source_);
+    for (int k = 0; k < path.lanes.count; ++k) source_[k] /= emitted.pdf;
+    follow(path);
+}
+
+bool LightWalk::on_scatterer(const SharedPath& path, const Scatterer& at) {
+    if (path.sees_start()) return false;
+    if (!prepared_.camera.disperses()) {
+        splat(path, at);
+        return true;
+    }
+    SharedPath lane = path;  // the lens sends each lane to a place of its own
+    for (int k = 0; k < path.lanes.count; ++k) {
+        lane.lanes = LaneSet::one(packet_, path.lanes.id[std::size_t(k)]);
+        lane.beta[0] = path.beta[k];
+        splat(lane, at);
+    }
+    return true;
+}
+
+/// Lanes that one point of the lens sees at one place.
+void LightWalk::splat(const SharedPath& path, const Scatterer& at) {
+    const auto u_lens = key_.two(vertex_key(path.depth, path.branch), Purpose::lens);
+    std::array<Seen, 2> seen;
+    const int eyes =
+        prepared_.camera.seen(at.vertex.position, u_lens, path.lanes.lambda_nm[0], seen);
+    for (int i = 0; i < eyes; ++i) splat(path, at, seen[std::size_t(i)]);
+}
+
+/// With Φ the light that the path stands for: Φ f(c, l) |cos θ_l'| J |cos θ_c| / |cos θ_l|, where
+/// θ_l' is the angle to the shading normal. All that is asked of the surface is asked as a path
+/// from the camera asks it, so that both agree where shading normals make a difference.
+void LightWalk::splat(const SharedPath& path, const Scatterer& at, const Seen& seen) {
+    const Vertex y1 = vertex_from(prepared_, at.vertex.position, seen.direction, at.hit);
+    const double cos_camera = dot(seen.direction, y1.geometric);
+    const double cos_light = dot(at.vertex.wo, y1.geometric);
+    const bool above = cos_light > 0.0;
+    if (!(cos_camera > 0.0) || (!above && !ScatteringSurface::transmits(at.material))) return;
+    const LocalFrame frame(y1.shading);
+    const Vec3 wi = frame.to_local(at.vertex.wo);
+    if ((wi.z > 0.0) != above) return;
+    if (prepared_.accelerator.occluded(y1.leave(seen.direction), seen.distance)) return;
+    const ScatteringSurface surface =
+        surface_at(path.lanes, prepared_.camera_media, y1, frame, at.material);
+    LaneValues value;
+    surface.eval(wi, value);
+    const double ratio =
+        emitted_->pdf * light_ratio(light_paths_, std::abs(cos_light), cos_camera,
+                                    seen.pixels_per_m2, surface.typical_density(wi));
+    const double factor =
+        seen.pixels_per_m2 * cos_camera / std::abs(cos_light) * weight(path.note, ratio);
+    for (int k = 0; k < path.lanes.count; ++k)
+        value[k] *= path.beta[k] * source_[path.lanes.id[std::size_t(k)]] * factor;
+    absorb(path.lanes, value, prepared_.camera_media, seen.distance);
+    const SplatLight light(packet_, path.lanes, value);
+    prepared_.camera.for_each_pixel(
+        seen, [&](int x, int y, double density) { splats_.add(x, y, density, light); });
+}
+
+double LightWalk::weight(double note, double ratio) const {
+    return emitted_->without_extent ? 1.0 : weight_of_light(ratio, note);
+}
+
+}  // namespace dewbow::caustics
