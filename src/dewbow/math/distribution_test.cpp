@@ -217,5 +217,16 @@ TEST(Distribution2DTest, AllZeroIsUniformAndSaysSo) {
     EXPECT_FALSE(Distribution2D(std::vector<double>{0, 0, 1, 0}, 2, 2).was_all_zero());
 }
 
+TEST(Distribution2DTest, FindsBackTheNumbersOfAPoint) {
+    const Distribution2D d(std::vector<double>{1, 0, 3, 2, 2, 0}, 3, 2);
+    for (int i = 0; i < 100; ++i) {
+        const double u0 = (i % 10 + 0.3) / 10.0, u1 = (i / 10 + 0.6) / 10.0;
+        const Distribution2D::Sample s = d.sample(u0, u1);
+        const auto back = d.inverse(s.x, s.y);
+        EXPECT_NEAR(back[0], u0, kRounding);
+        EXPECT_NEAR(back[1], u1, kRounding);
+    }
+}
+
 }  // namespace
 }  // namespace dewbow

@@ -215,5 +215,33 @@ TEST(Sampling, ExtremeNumbersGiveUnitVectors) {
         }
 }
 
+/// Away from creases and poles, where a rounding of the point is a large step in the square.
+TEST(Sampling, SquaresAreFoundBack) {
+    constexpr int kGrid = 16;
+    // 1 − cos of a direction that is kept by its cosine loses as many digits as it is small.
+    constexpr double kFoundBack = 1e-12;
+    const auto near = [&](std::array<double, 2> back, double u0, double u1) {
+        EXPECT_NEAR(back[0], u0, kFoundBack);
+        EXPECT_NEAR(back[1], u1, kFoundBack);
+    };
+    for (int i = 0; i < kGrid * kGrid; ++i) {
+        const double u0 = (i / kGrid + 0.4) / kGrid, u1 = (i % kGrid + 0.7) / kGrid;
+        near(square_from_uniform_sphere(sample_uniform_sphere<Local>(u0, u1)), u0, u1);
+        for (const double width : {1e-10, 0.3, 2.0})
+            near(square_from_uniform_cone(width, sample_uniform_cone(width, u0, u1)), u0, u1);
+        near(square_from_concentric_disc(sample_concentric_disc(u0, u1)), u0, u1);
+        near(square_from_cosine_hemisphere(sample_cosine_hemisphere(u0, u1)), u0, u1);
+        near(square_from_uniform_triangle(sample_uniform_triangle(u0, u1)), u0, u1);
+    }
+    EXPECT_EQ(square_from_concentric_disc({0.0, 0.0}), (std::array{0.5, 0.5}));
+}
+
+TEST(Sampling, StandsToTheAxisAsBefore) {
+    const Dir<World> axis{normalised(Vec3{0.3, -0.5, -0.8})};
+    const Dir<Local> d = sample_uniform_cone(1e-6, 0.3, 0.4);
+    const Dir<Local> back = from_axis(axis, around(axis, d));
+    EXPECT_NEAR(length(back.v - d.v), 0.0, kRounding);
+}
+
 }  // namespace
 }  // namespace dewbow

@@ -55,10 +55,10 @@ inline void add_things(Scene& scene) {
     const auto turned = [](double x, double y, double z) {
         return translation({x, y, z}) * rotation(normalised(Vec3{1, 2, 3}), 0.7 * unit::rad);
     };
-    add_shape(scene, Sphere{0.5 * m}, translation({-1.5, -4, 0.2}), glass);
-    add_shape(scene, Prism{60.0 * unit::deg, 0.8 * m, 1.5 * m}, turned(1.5, -3, 0.5), glass);
-    add_shape(scene, Disc{0.4 * m}, turned(0.2, -5, -2), mirror);
-    add_shape(scene, icosahedron(), turned(0.5, -4, 2.5) * scaling({0.3, 0.6, 0.4}), glass);
+    add_shape(scene, Sphere{0.9 * m}, translation({-1.5, -4, 0.2}), glass);
+    add_shape(scene, Prism{60.0 * unit::deg, 1.4 * m, 2.0 * m}, turned(1.5, -3, 0.5), glass);
+    add_shape(scene, Disc{0.8 * m}, turned(0.2, -5, -2), mirror);
+    add_shape(scene, icosahedron(), turned(0.5, -4, 2.5) * scaling({0.6, 1.2, 0.8}), glass);
 }
 /// A plane without end, 3 m below the origin and tilted.
 inline void add_plane(Scene& scene) {
@@ -111,7 +111,7 @@ inline std::vector<Lamp> lamps_of_shape() {
             glowing("sphere", Sphere{0.25 * m}, askew, false),
             glowing("sphere of two sides", Sphere{0.25 * m}, askew, true),
             glowing("textured sphere", Sphere{0.25 * m}, askew, false, true),
-            glowing("ellipsoid", Sphere{0.25 * m}, askew * scaling({1, 2, 0.5}), false),
+            glowing("ellipsoid", Sphere{0.25 * m}, askew * scaling({1, 1.5, 0.7}), false),
             glowing("box", Box{0.3 * m, 0.4 * m, 0.5 * m}, askew, false),
             glowing("prism", Prism{50.0 * unit::deg, 0.4 * m, 0.5 * m}, askew, false),
             glowing("mesh", icosahedron(), askew * scaling({0.2, 0.3, 0.2}), false)};
@@ -127,7 +127,7 @@ inline std::shared_ptr<const ImageEnvironment> test_sky() {
     ImageEnvironment sky;
     sky.width = 16, sky.height = 8;
     for (int i = 0; i < 16 * 8; ++i) {
-        const double v = i == 37 ? 1000.0 : 0.5 + 0.1 * (i % 5);
+        const double v = i == 37 ? 100.0 : 0.5 + 0.1 * (i % 5);
         sky.pixels.push_back({{v, 0.9 * v, 0.7 * v}});
     }
     sky.world_from_object = Transform<World, Object>(rotation({0, 1, 0}, 0.4 * unit::rad));
@@ -157,22 +157,41 @@ inline std::vector<Lamp> lamps_without_shape() {
 struct LitScene {
     std::string name;
     Scene scene;
-    bool from_inside = false;
+    std::vector<Ball> targets;  ///< around the casters; of a plane without end, below the lamps
 };
-/// All lamps before all kinds of casters.
-inline std::vector<LitScene> all_lamps() {
+inline std::vector<Ball> targets_of(const Scene& casters) {
+    std::vector<Ball> targets;
+    for (const Shape& shape : casters.shapes) {
+        if (std::holds_alternative<Plane>(shape.geometry)) return {{{0, -6, 0}, 4.0}};
+        const Bounds box = bounds_of(shape);
+        targets.push_back({box.centre(), box.radius()});
+    }
+    return targets;
+}
+struct CasterKind {
+    std::string name;
+    std::function<void(Scene&)> add;
+};
+inline CasterKind things() { return {"things", add_things}; }
+
+/// All lamps, each alone.
+inline std::vector<LitScene> lamps_before(const CasterKind& casters) {
     std::vector<Lamp> lamps = lamps_of_shape();
     for (const Lamp& lamp : lamps_without_shape()) lamps.push_back(lamp);
-    const std::vector<Lamp> casters{
-        {"things", add_things}, {"plane", add_plane}, {"bulb", add_bulb}};
     std::vector<LitScene> scenes;
-    for (const Lamp& caster : casters)
-        for (const Lamp& lamp : lamps) {
-            LitScene lit{lamp.name + " before " + caster.name, make_empty_scene()};
-            caster.add(lit.scene);
-            lamp.add(lit.scene);
-            scenes.push_back(std::move(lit));
-        }
+    for (const Lamp& lamp : lamps) {
+        LitScene lit{lamp.name + " before " + casters.name, make_empty_scene(), {}};
+        casters.add(lit.scene);
+        lit.targets = targets_of(lit.scene);
+        lamp.add(lit.scene);
+        scenes.push_back(std::move(lit));
+    }
+    return scenes;
+}
+inline std::vector<LitScene> all_lamps() {
+    std::vector<LitScene> scenes = lamps_before(things());
+    for (const CasterKind& kind : {CasterKind{"plane", add_plane}, CasterKind{"bulb", add_bulb}})
+        for (LitScene& lit : lamps_before(kind)) scenes.push_back(std::move(lit));
     return scenes;
 }
 

@@ -96,14 +96,33 @@ SurfaceEmission::SurfaceEmission(const GlowingShape& shape, int index,
     weigh(int(groups.size()), dark, kPi * whole);
 }
 
-/// Directions to the target lie within asin((R + r) / d) of that between the centres.
+/// Directions to the target lie within β = asin((R + r) / d) of that between the centres. At θ from
+/// it the ball's cosine with them is at most cos θ + sin β = width − (1 − cos θ).
 SurfaceEmission::Cap SurfaceEmission::cap_towards(const CasterBounds& target) const {
-    constexpr double kAll = 2.0;
     const Ball around = target.ball();
     const Vec3 between = around.centre - ball_->centre;
     const double distance = length(between), reach = around.radius + ball_->radius;
-    if (shape_.glow().two_sided() || !(reach < distance)) return {{0.0, 0.0, 1.0}, kAll};
-    return {between / distance, 1.0 + reach / distance};
+    if (shape_.glow().two_sided() || !(reach < distance)) return {{{0.0, 0.0, 1.0}}, 2.0, true};
+    return {{between / distance}, 1.0 + reach / distance, false};
+}
+
+/// With v = 1 − cos θ: the density of v is 2 (width − v) / width².
+double SurfaceEmission::Cap::density(double v) const {
+    return alike ? pdf_uniform_cone(width) : (width - v) / (kPi * width * width);
+}
+
+Vec3 SurfaceEmission::Cap::sample(std::array<double, 2> u) const {
+    const double share = alike ? u[0] : u[0] / (1.0 + std::sqrt(1.0 - u[0]));  // v / width
+    return around(axis, sample_uniform_cone(width, share, u[1])).v;
+}
+
+SquarePlace SurfaceEmission::Cap::place_of(Vec3 normal) const {
+    const Dir<Local> local = from_axis(axis, Dir<World>{normal});
+    const double v = 1.0 - local.v.z;
+    if (v > width) return {{0.5, 0.5}, 0.0};
+    auto u = square_from_uniform_cone(width, local);
+    if (!alike) u[0] *= 2.0 - u[0];
+    return {u, density(v)};
 }
 
 /// About what a part sends to a target; 0 only if it is nothing for certain.
@@ -123,19 +142,16 @@ GlowingShape::SurfacePoint SurfaceEmission::point_of(int target, int part,
                                                      std::array<double, 2> u) const {
     if (!ball_) return shape_.point_of(part, u);
     const Cap& cap = caps_[std::size_t(target)];
-    const Vec3 n = around(Dir<World>{cap.axis}, sample_uniform_cone(cap.width, u[0], u[1])).v;
+    const Vec3 n = cap.sample(u);
     return {ball_->centre + n * ball_->radius, n,
-            pdf_uniform_cone(cap.width) / (ball_->radius * ball_->radius)};
+            cap.density(1.0 - dot(n, cap.axis.v)) / (ball_->radius * ball_->radius)};
 }
 
 SquarePlace SurfaceEmission::place_of(int target, int part, Vec3 point) const {
     if (!ball_) return {shape_.place_of(part, point), shape_.pdf_area(part, point)};
-    const Cap& cap = caps_[std::size_t(target)];
-    const Dir<World> n{normalised(point - ball_->centre)};
-    const Dir<Local> local = from_axis(Dir<World>{cap.axis}, n);
-    if (1.0 - local.v.z > cap.width) return {{0.5, 0.5}, 0.0};
-    return {square_from_uniform_cone(cap.width, local),
-            pdf_uniform_cone(cap.width) / (ball_->radius * ball_->radius)};
+    SquarePlace place = caps_[std::size_t(target)].place_of(normalised(point - ball_->centre));
+    place.pdf /= ball_->radius * ball_->radius;
+    return place;
 }
 
 std::optional<EmittedRay> SurfaceEmission::towards(int target,

@@ -18,10 +18,17 @@ private:
     std::optional<Place> place_towards(int target, const Ray& ray) const override;
     double brightness(const EmittedRay& ray) const override;
 
-    /// The part of a ball from which a target can be seen: where the normal lies in a cone.
+    /// The part of a ball from which a target can be seen: where the normal lies in a cone. Chosen
+    /// in proportion to a bound on the cosine with which the target is seen, or all alike.
     struct Cap {
-        Vec3 axis;
+        Dir<World> axis;
         double width;  ///< 1 − cos of its half angle
+        bool alike;
+
+        Vec3 sample(std::array<double, 2> u) const;
+        /// Density per sr of normals.
+        SquarePlace place_of(Vec3 normal) const;
+        double density(double v) const;
     };
     Cap cap_towards(const CasterBounds& target) const;
     double weight(int part, const CasterBounds& target) const;
