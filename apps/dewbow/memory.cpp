@@ -64,17 +64,18 @@ std::uint64_t available_memory() {
     return std::min({meminfo_bytes("MemAvailable:"), physical_memory(), address_space_limit()});
 }
 
-std::uint64_t picture_memory(const PixelRect& crop, int spectral_bins) {
+std::uint64_t picture_memory(const PixelRect& crop, int spectral_bins, bool light_paths) {
     // Floats of the picture's layers, and about as much again while they are encoded.
-    constexpr std::uint64_t kLayers = 11;
+    const std::uint64_t layers = light_paths ? 14 : 11;
     const std::uint64_t image =
-        2 * sizeof(float) * (kLayers + static_cast<std::uint64_t>(spectral_bins));
-    return (FilmSums::bytes_per_pixel(spectral_bins) + image) *
+        2 * sizeof(float) * (layers + static_cast<std::uint64_t>(spectral_bins));
+    const std::uint64_t splats = light_paths ? SplatSums::bytes_per_pixel(spectral_bins) : 0;
+    return (FilmSums::bytes_per_pixel(spectral_bins) + splats + image) *
            static_cast<std::uint64_t>(crop.width()) * static_cast<std::uint64_t>(crop.height());
 }
 
-void check_memory(const PixelRect& crop, int spectral_bins) {
-    const std::uint64_t needed = picture_memory(crop, spectral_bins);
+void check_memory(const PixelRect& crop, int spectral_bins, bool light_paths) {
+    const std::uint64_t needed = picture_memory(crop, spectral_bins, light_paths);
     const std::uint64_t available = available_memory();
     if (needed <= available) return;
     throw InputError(

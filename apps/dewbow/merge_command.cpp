@@ -75,6 +75,7 @@ SessionResult result_of(const RenderState& sum) {
     result.finished_units = sum.plan.finished_units();
     result.planned_units = sum.plan.units();
     result.invalid_samples = sum.film.invalid_samples();
+    result.light_paths = sum.film.light_paths();
     result.film_hash = sum.film.fingerprint();
     result.seconds = sum.seconds;
     return result;

@@ -79,6 +79,7 @@ void print_json(const SessionResult& result, const std::vector<std::filesystem::
         {"fingerprint", fingerprint},
         {"film_hash", fmt::format("{:016x}", result.film_hash)},
     };
+    if (result.light_paths > 0) object["light_paths"] = result.light_paths;
     if (team) object["ranks"] = json_of(*team);
     // A file's name need not be UTF-8.
     print_data(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

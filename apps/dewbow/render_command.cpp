@@ -111,13 +111,19 @@ int replay(const RenderCommand& command, const Scene& scene) {
 
 void warn_of_invalid_samples(const FilmSums& film, const Scene& scene,
                              const SessionResult& result) {
-    if (result.invalid_samples == 0) return;
-    const InvalidSample first = film.first_invalid().front();
+    const InvalidSamples invalid = film.invalid();
+    if (invalid.splats > 0)
+        print_message(
+            fmt::format("warning: {} contributions of light paths were invalid (not finite, "
+                        "negative or too large)",
+                        invalid.splats));
+    if (invalid.count == 0) return;
+    const InvalidSample first = invalid.first.front();
     const ReplayContext context{first.x, first.y, first.index, scene.render.seed};
     print_message(
         fmt::format("warning: {} of {} samples were invalid (not finite, negative or too large); "
                     "the first is {}",
-                    result.invalid_samples, result.samples, describe(context)));
+                    invalid.count, result.samples, describe(context)));
 }
 
 std::string summary(const SessionResult& result, const std::vector<std::filesystem::path>& paths) {
@@ -173,9 +179,10 @@ void tell_of_exposure(const RenderCommand& command, const Film& film, double sto
 }
 
 /// The units of one slice: every `count`-th, so that slices cost about the same.
-std::function<bool(std::size_t, std::size_t)> units_of(const Slice& slice, std::size_t tiles) {
-    return [slice, tiles](std::size_t pass, std::size_t tile) {
-        return (pass * tiles + tile) % slice.count == slice.number - 1;
+std::function<bool(std::size_t, std::size_t)> units_of(const Slice& slice,
+                                                       std::size_t units_per_pass) {
+    return [slice, units_per_pass](std::size_t pass, std::size_t number) {
+        return (pass * units_per_pass + number) % slice.count == slice.number - 1;
     };
 }
 
@@ -214,14 +221,14 @@ int render_picture(const RenderCommand& command, const LoadedScene& loaded,
     const Scene& scene = loaded.scene;
     if (command.crop) check_crop(*command.crop, scene.film);
     SessionOptions options = session_options(command);
-    check_memory_of(scene, options);
-    const EstimatorRow& method = estimator_of(command);
+    const auto estimator = estimator_of(command).make(scene);
+    check_memory_of(scene, options, *estimator);
     CheckpointFile checkpoint(command.checkpoint, paths.front());
     options.checkpoints = checkpoint.checkpoints();
     options.team = team;
-    RenderState state = checkpoint.begin(identity_of(command, loaded, options));
-    if (command.slice) options.selects = units_of(*command.slice, state.plan.tiles());
-    const SessionResult result = run_session(*method.make(scene), options, state);
+    RenderState state = checkpoint.begin(identity_of(command, loaded, options, *estimator));
+    if (command.slice) options.selects = units_of(*command.slice, state.plan.units_per_pass());
+    const SessionResult result = run_session(*estimator, options, state);
     if (ranks && team->all_have_left()) ranks->close();
     warn_of_invalid_samples(state.film, scene, result);
     if (command.slice) return write_slice(command, paths, state, result, checkpoint);

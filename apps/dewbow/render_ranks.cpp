@@ -41,8 +41,9 @@ int work_as_other_rank(const RenderCommand& command, Ranks& ranks) {
         const SessionOptions options = session_options(command);
         if (command.crop) check_crop(*command.crop, loaded.scene.film);
         const auto estimator = estimator_of(command).make(loaded.scene);
-        parting = work_for_rank_0(ranks.transport(), *estimator,
-                                  identity_of(command, loaded, options), thread_count());
+        parting =
+            work_for_rank_0(ranks.transport(), *estimator,
+                            identity_of(command, loaded, options, *estimator), thread_count());
     } catch (const InputError& error) {
         parting = say_bye(ranks.transport(), error.sentence());
     }

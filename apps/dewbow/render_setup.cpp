@@ -102,9 +102,11 @@ const EstimatorRow& estimator_of(const RenderCommand& command) {
     throw InputError("this program was built without estimators");
 }
 
-void check_memory_of(const Scene& scene, const SessionOptions& options) {
+void check_memory_of(const Scene& scene, const SessionOptions& options,
+                     const Estimator& estimator) {
     const PixelRect whole{0, 0, scene.film.width, scene.film.height};
-    check_memory(options.crop.value_or(whole), scene.film.spectral_bins);
+    check_memory(options.crop.value_or(whole), scene.film.spectral_bins,
+                 estimator.light_paths() > 0.0);
 }
 
 std::string scene_name(const RenderCommand& command) {
@@ -130,9 +132,9 @@ void check_crop(const PixelRect& crop, const Film& film) {
 }
 
 RenderIdentity identity_of(const RenderCommand& command, const LoadedScene& loaded,
-                           const SessionOptions& options) {
-    RenderIdentity identity =
-        render_identity(loaded.scene, options, estimator_of(command), loaded.hash);
+                           const SessionOptions& options, const Estimator& estimator) {
+    RenderIdentity identity = render_identity(loaded.scene, options, estimator_of(command),
+                                              loaded.hash, estimator.light_paths());
     const Film& film = loaded.scene.film;
     identity.picture = text_of(PictureSettings{scene_name(command), loaded.scene.render.packet,
                                                film.white_luminance, film.exposure,

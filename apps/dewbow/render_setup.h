@@ -36,9 +36,9 @@ SessionOptions session_options(const RenderCommand& command);
 /// Throws UsageError.
 void check_crop(const PixelRect& crop, const Film& film);
 /// Throws InputError.
-void check_memory_of(const Scene& scene, const SessionOptions& options);
+void check_memory_of(const Scene& scene, const SessionOptions& options, const Estimator& estimator);
 
 RenderIdentity identity_of(const RenderCommand& command, const LoadedScene& loaded,
-                           const SessionOptions& options);
+                           const SessionOptions& options, const Estimator& estimator);
 
 }  // namespace dewbow

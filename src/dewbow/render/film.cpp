@@ -94,6 +94,7 @@ Colour<Xyz> film_xyz(const WavelengthPacket& packet, std::span<const double> rad
 
 void InvalidSamples::add(const InvalidSamples& other) {
     count += other.count;
+    splats += other.splats;
     std::vector<InvalidSample> both;
     std::merge(first.begin(), first.end(), other.first.begin(), other.first.end(),
                std::back_inserter(both), comes_before);
@@ -116,7 +117,7 @@ FilmSums::FilmSums(int width, int height, PixelRect crop, int spectral_bins,
     : FilmSums(
           FilmLayout{width, height, crop, spectral_bins, reference_exponent(reference_radiance)}) {}
 
-FilmSums::FilmSums(const FilmLayout& layout) : layout_(layout) {
+FilmSums::FilmSums(const FilmLayout& layout) : layout_(layout), splats_(layout) {
     const PixelRect& crop = layout.crop;
     DEWBOW_CHECK(crop.x0 >= 0 && crop.y0 >= 0 && crop.x0 < crop.x1 && crop.y0 < crop.y1 &&
                      crop.x1 <= layout.width && crop.y1 <= layout.height,
@@ -226,7 +227,7 @@ void FilmSums::add_layers(std::size_t pixel, const PixelSample& sample) {
 }
 
 void FilmSums::add_invalid(const InvalidSamples& samples) {
-    if (samples.count == 0) return;
+    if (samples.count == 0 && samples.splats == 0) return;
     const std::scoped_lock lock(invalid_mutex());
     invalid_.add(samples);
 }
@@ -235,20 +236,27 @@ std::uint32_t FilmSums::samples(int x, int y) const { return counts_[index_of(x,
 
 Colour<Xyz> FilmSums::xyz(int x, int y) const {
     const std::size_t pixel = index_of(x, y);
-    if (counts_[pixel] == 0) return {};
-    Colour<Xyz> mean;
+    Colour<Xyz> mean = caustics(x, y);
+    if (counts_[pixel] == 0) return mean;
     for (std::size_t c = 0; c < 3; ++c)
-        mean[c] = static_cast<double>(xyz_[pixel][c]) * xyz_quantum_ / counts_[pixel];
+        mean[c] += static_cast<double>(xyz_[pixel][c]) * xyz_quantum_ / counts_[pixel];
     return mean;
+}
+
+Colour<Xyz> FilmSums::caustics(int x, int y) const {
+    if (light_paths_ == 0) return {};
+    return splats_.at(index_of(x, y)).xyz * (1.0 / static_cast<double>(light_paths_));
 }
 
 double FilmSums::bin(int x, int y, int bin) const {
     DEWBOW_CHECK(bin >= 0 && bin < layout_.spectral_bins, "the film has that bin");
     const std::size_t pixel = index_of(x, y);
-    if (counts_[pixel] == 0) return 0.0;
+    double mean = 0.0;
+    if (light_paths_ > 0) mean = splats_.bin(pixel, bin) / static_cast<double>(light_paths_);
+    if (counts_[pixel] == 0) return mean;
     const std::int64_t sum = bins_sum_[pixel * static_cast<std::size_t>(layout_.spectral_bins) +
                                        static_cast<std::size_t>(bin)];
-    return static_cast<double>(sum) * bin_quantum_ / counts_[pixel];
+    return mean + static_cast<double>(sum) * bin_quantum_ / counts_[pixel];
 }
 
 Colour<Xyz> FilmSums::albedo(int x, int y) const {
@@ -280,17 +288,33 @@ double FilmSums::coverage(int x, int y) const {
     return counts_[pixel] == 0 ? 0.0 : static_cast<double>(hits_[pixel]) / counts_[pixel];
 }
 
-double FilmSums::variance_of_mean(int x, int y) const {
-    const std::size_t pixel = index_of(x, y);
-    const double n = counts_[pixel];
+namespace {
+
+/// Of a mean of `n` numbers, by the sums of them and of their squares.
+double variance_of_mean(double n, double sum, double sum_of_squares) {
     if (n < 2.0) return 0.0;
-    const double mean = static_cast<double>(xyz_[pixel][1]) * xyz_quantum_ / n;
-    const double mean_square = static_cast<double>(y_squared_[pixel]) * y_squared_quantum_ / n;
+    const double mean = sum / n;
     // Below zero only by rounding, or where the sum of squares has stopped at its largest value.
-    return std::max(0.0, mean_square - mean * mean) / (n - 1.0);
+    return std::max(0.0, sum_of_squares / n - mean * mean) / (n - 1.0);
 }
 
-std::int64_t FilmSums::invalid_samples() const { return invalid().count; }
+}  // namespace
+
+double FilmSums::variance_of_mean(int x, int y) const {
+    const std::size_t pixel = index_of(x, y);
+    const double of_samples =
+        dewbow::variance_of_mean(counts_[pixel], static_cast<double>(xyz_[pixel][1]) * xyz_quantum_,
+                                 static_cast<double>(y_squared_[pixel]) * y_squared_quantum_);
+    if (light_paths_ == 0) return of_samples;
+    const SplatSums::Arrived arrived = splats_.at(pixel);
+    return of_samples + dewbow::variance_of_mean(static_cast<double>(light_paths_), arrived.xyz[1],
+                                                 arrived.y_squared);
+}
+
+std::int64_t FilmSums::invalid_samples() const {
+    const InvalidSamples all = invalid();
+    return all.count + all.splats;
+}
 
 std::vector<InvalidSample> FilmSums::first_invalid() const { return invalid().first; }
 
@@ -315,6 +339,11 @@ std::uint64_t FilmSums::fingerprint() const {
     }
     for (const std::int64_t sum : bins_sum_) hash.add(sum);
     const std::scoped_lock lock(invalid_mutex());
+    if (light_paths_ > 0) {
+        hash.add(light_paths_);
+        splats_.for_each_word([&hash](std::uint64_t word) { hash.add(word); });
+        hash.add(invalid_.splats);
+    }
     hash.add(invalid_.count);
     for (const InvalidSample& sample : invalid_.first) {
         hash.add((static_cast<std::uint64_t>(sample.y) << 32) |

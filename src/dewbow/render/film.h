@@ -8,26 +8,18 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "dewbow/math/vector.h"
+#include "dewbow/render/film_layout.h"
+#include "dewbow/render/splat_sums.h"
 #include "dewbow/scene/camera.h"
 #include "dewbow/spectrum/wavelengths.h"
 
 namespace dewbow {
-
-/// A rectangle of pixels, [x0, x1) × [y0, y1).
-struct PixelRect {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    int width() const { return x1 - x0; }
-    int height() const { return y1 - y0; }
-    std::int64_t area() const { return std::int64_t{width()} * height(); }
-    bool operator==(const PixelRect&) const = default;
-};
 
 /// What one path brings home.
 struct PixelSample {
@@ -44,10 +36,6 @@ struct PixelSample {
     bool hit = false;
 };
 
-/// XYZ of a packet's radiance, W m⁻² sr⁻¹ nm⁻¹, as the film has it: Y of the constant spectrum 1 is
-/// 1.
-Colour<Xyz> film_xyz(const WavelengthPacket& packet, std::span<const double> radiance);
-
 /// A sample that was not a number, infinite or negative, and how to compute it again.
 struct InvalidSample {
     int x = 0, y = 0;
@@ -59,21 +47,10 @@ struct InvalidSample {
 struct InvalidSamples {
     std::int64_t count = 0;
     std::vector<InvalidSample> first;  // ascending
+    /// Splats of light paths: neither in `count` nor among the first.
+    std::int64_t splats = 0;
     void add(const InvalidSamples& other);
 };
-
-/// Films of one layout can be added.
-struct FilmLayout {
-    int width = 0, height = 0;  ///< of the whole picture
-    PixelRect crop;             ///< the part of it that there are sums of
-    int spectral_bins = 0;
-    /// The quanta are powers of two that follow from 2 to this power, in W m⁻² sr⁻¹ nm⁻¹.
-    int reference_exponent = 0;
-    bool operator==(const FilmLayout&) const = default;
-};
-
-/// The exponent of the power of two that is nearest (by ratio) to `radiance` > 0.
-int reference_exponent(double radiance);
 
 class FilmSums {
 public:
@@ -99,31 +76,43 @@ public:
     /// Adds the sums of a film whose layout is the same but for the crop, which lies within this
     /// one's. The order of adding does not matter.
     void add(const FilmSums& other);
-    /// The same, but for the other's invalid samples.
+    /// The same, but for the other's invalid samples, and for what light paths brought.
     void add_pixels(const FilmSums& other);
+
+    /// Adds what `light_paths` more light paths brought.
+    void add_splats(const SplatList& splats, std::uint64_t light_paths);
+    /// The parts of it: splats, of which there may be none, and the paths that they are shared by.
+    SplatSums& splats() { return splats_; }
+    const SplatSums& splats() const { return splats_; }
+    void add_light_paths(std::uint64_t paths) { light_paths_ += paths; }
+    std::uint64_t light_paths() const { return light_paths_; }
 
     const FilmLayout& layout() const { return layout_; }
     int width() const { return layout_.width; }
     int height() const { return layout_.height; }
     const PixelRect& crop() const { return layout_.crop; }
     int spectral_bins() const { return layout_.spectral_bins; }
-    /// Bytes that one pixel takes, in memory and in files.
+    /// Bytes that one pixel takes, in memory and in files; without what light paths brought.
     static std::size_t bytes_per_pixel(int spectral_bins);
 
     // Averages at a pixel of the crop. Zero where no sample arrived.
     std::uint32_t samples(int x, int y) const;
-    /// XYZ as a multiple of the constant spectrum 1 W m⁻² sr⁻¹ nm⁻¹ (Y = 1).
+    /// XYZ as a multiple of the constant spectrum 1 W m⁻² sr⁻¹ nm⁻¹ (Y = 1): the mean of the
+    /// pixel's samples, plus what light paths brought.
     Colour<Xyz> xyz(int x, int y) const;
+    /// The part of it that light paths brought: the sum of the pixel's splats over their number.
+    Colour<Xyz> caustics(int x, int y) const;
     /// Mean spectral radiance in bin `bin` of `spectral_bins` even ones over 360–830 nm.
     double bin(int x, int y, int bin) const;
     Colour<Xyz> albedo(int x, int y) const;
     Vec3 normal(int x, int y) const;
     double depth(int x, int y) const;     ///< mean over samples that hit something
     double coverage(int x, int y) const;  ///< share of samples that hit something
-    /// Variance of the mean of Y, estimated from the samples; 0 with fewer than two.
+    /// Variance of Y, estimated from the samples and from the splats, which are taken to be of as
+    /// many paths; of either, 0 with fewer than two.
     double variance_of_mean(int x, int y) const;
 
-    std::int64_t invalid_samples() const;
+    std::int64_t invalid_samples() const;  ///< and splats
     /// The first of them, at most 100, ordered by pixel and index.
     std::vector<InvalidSample> first_invalid() const;
     InvalidSamples invalid() const;
@@ -165,6 +154,8 @@ private:
     std::vector<__int128> y_squared_;
     std::vector<std::int64_t> bins_sum_;               // [pixel][bin]
     std::vector<std::array<std::int64_t, 7>> layers_;  // albedo XYZ, normal xyz, depth
+    SplatSums splats_;
+    std::uint64_t light_paths_ = 0;
     // The invalid ones are guarded by a mutex in film.cpp: they are rare.
     InvalidSamples invalid_;
     SampleObserver observer_;

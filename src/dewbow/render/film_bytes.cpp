@@ -41,6 +41,16 @@ void FilmSums::add_pixel(std::size_t index, const Pixel& sums) {
 void FilmSums::add(const FilmSums& other) {
     add_pixels(other);
     add_invalid(other.invalid());
+    if (other.light_paths_ == 0) return;
+    splats_.add(other.splats_);
+    light_paths_ += other.light_paths_;
+}
+
+void FilmSums::add_splats(const SplatList& splats, std::uint64_t light_paths) {
+    splats_.prepare();
+    splats_.add(splats.splats(), splats.bins());
+    add_invalid({0, {}, splats.invalid()});
+    light_paths_ += light_paths;
 }
 
 void FilmSums::add_pixels(const FilmSums& other) {

@@ -112,6 +112,11 @@ Image image_from_film(const FilmSums& film, const Film& settings) {
     for (int bin = 0; bin < film.spectral_bins(); ++bin)
         image.channels.push_back(
             {bin_name(bin, film.spectral_bins()), std::vector<float>(pixels_of(crop))});
+    const std::size_t caustics = image.channels.size();
+    constexpr std::array<const char*, 3> kCaustics{"caustics.R", "caustics.G", "caustics.B"};
+    const bool has_caustics = film.light_paths() > 0;
+    for (std::size_t c = 0; has_caustics && c < kCaustics.size(); ++c)
+        image.channels.push_back({kCaustics[c], std::vector<float>(pixels_of(crop))});
 
     const double scale = scale_to_white(settings);
     for_each_pixel(crop, [&](int x, int y, std::size_t index) {
@@ -126,6 +131,10 @@ Image image_from_film(const FilmSums& film, const Film& settings) {
         for (int bin = 0; bin < film.spectral_bins(); ++bin)
             image.channels[kPlanes + static_cast<std::size_t>(bin)].values[index] =
                 static_cast<float>(film.bin(x, y, bin));
+        if (!has_caustics) return;
+        const auto part = rgb_from_xyz<LinearSrgb>(film.caustics(x, y) * scale);
+        for (std::size_t c = 0; c < kCaustics.size(); ++c)
+            image.channels[caustics + c].values[index] = static_cast<float>(part[c]);
     });
     return image;
 }
@@ -146,7 +155,7 @@ Attributes render_facts(const Scene& scene, const RenderIdentity& identity,
                         const SessionResult& result, const std::string& scene_file) {
     const PixelRect& crop = result.crop;
     const auto count = [](auto n) { return static_cast<std::int64_t>(n); };
-    return {
+    Attributes facts{
         {"software", std::string("dewbow " DEWBOW_VERSION)},
         {"dewbow:fingerprint", fingerprint()},
         {"dewbow:scene", scene_file},
@@ -168,6 +177,8 @@ Attributes render_facts(const Scene& scene, const RenderIdentity& identity,
         // The layout's emissiveUnits leaves open whether a bin holds a sum or a density.
         {"dewbow:spectralDensity", std::string("W.m^-2.sr^-1.nm^-1")},
     };
+    if (result.light_paths > 0) facts.push_back({"dewbow:lightPaths", count(result.light_paths)});
+    return facts;
 }
 
 void write_picture(const std::filesystem::path& path, const FilmSums& film, const Scene& scene,

@@ -12,8 +12,9 @@
 namespace dewbow {
 
 /// The picture of the crop: R, G, B, A (linear sRGB; 1 = the film's white luminance), the layers
-/// albedo.R, albedo.G, albedo.B, normal.X, normal.Y, normal.Z, Z, and one channel a spectral bin
-/// (absolute).
+/// albedo.R, albedo.G, albedo.B, normal.X, normal.Y, normal.Z, Z, one channel a spectral bin
+/// (absolute), and, if light paths were traced, caustics.R, caustics.G, caustics.B: the part of R,
+/// G, B that they brought.
 Image image_from_film(const FilmSums& film, const Film& settings);
 
 /// The same picture as a screen shows it. The exposure is that of `display`; dither goes by the

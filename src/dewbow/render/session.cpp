@@ -84,6 +84,8 @@ public:
           progress_(options.title, has_goal() ? kShareSteps : selected_units(), options.progress) {
         DEWBOW_CHECK(!options.selects || !has_goal(),
                      "a part of the units has no noise of its own");
+        DEWBOW_CHECK(state.identity.light_paths == estimator.light_paths(),
+                     "the units are those of the estimator");
     }
 
     SessionResult run() {
@@ -105,6 +107,7 @@ public:
         result.finished_units = state_.plan.finished_units();
         result.planned_units = state_.plan.units();
         result.invalid_samples = film.invalid_samples();
+        result.light_paths = film.light_paths();
         result.film_hash = film.fingerprint();
         result.seconds = state_.seconds;
         return result;
@@ -118,7 +121,8 @@ private:
         if (options_.team) return render_with_team(*options_.team);
         const std::size_t open = plan().first_open_pass();
         for (std::size_t pass = open > 0 ? open - 1 : 0; pass < plan().passes(); ++pass) {
-            parallel_for(plan().tiles(), [&](std::size_t tile) { render_unit(pass, tile); });
+            parallel_for(plan().units_per_pass(),
+                         [&](std::size_t number) { render_unit(pass, number); });
             if (gave_up_) return StopReason::interrupted;
             if (pass + 1 == plan().passes()) break;
             if (const auto reason = reason_to_stop_after(pass)) return *reason;
@@ -143,27 +147,40 @@ private:
     std::optional<StopReason> reason_to_stop_after(std::size_t pass) {
         if (stopped()) return StopReason::interrupted;
         // An earlier run has gone on to later passes: it was asked, and the answer was no.
-        if (plan().finished_units() > (pass + 1) * plan().tiles()) return std::nullopt;
+        if (plan().finished_units() > (pass + 1) * plan().units_per_pass()) return std::nullopt;
         if (options_.time_limit && seconds() >= options_.time_limit->count())
             return StopReason::time;
         if (is_clean_enough(plan().unit(pass, 0).end_sample)) return StopReason::noise;
         return std::nullopt;
     }
 
-    void render_unit(std::size_t pass, std::size_t tile) {
-        if (options_.selects && !options_.selects(pass, tile)) return;
-        if (live_.finished(pass, tile)) return;
+    void render_unit(std::size_t pass, std::size_t number) {
+        if (options_.selects && !options_.selects(pass, number)) return;
+        if (live_.finished(pass, number)) return;
         if (stopped()) {
             gave_up_ = true;
             return;
         }
-        const Unit unit = plan().unit(pass, tile);
+        if (plan().is_light(number))
+            trace_light(pass, number);
+        else
+            render_tile(pass, number);
+        advance(1);
+    }
+
+    void render_tile(std::size_t pass, std::size_t number) {
+        const Unit unit = plan().unit(pass, number);
         FilmLayout layout = state_.film.layout();
         layout.crop = unit.tile;
         FilmSums part(layout);
         estimator_.render(unit, part);
-        live_.hand_in(pass, pass + 1, tile, part);
-        advance(1);
+        live_.hand_in(pass, pass + 1, number, part);
+    }
+
+    void trace_light(std::size_t pass, std::size_t number) {
+        SplatList splats(state_.film.layout());
+        estimator_.trace_light(plan().light_unit(pass, number), splats);
+        live_.hand_in(pass, pass + 1, number, splats);
     }
 
     void advance(std::size_t units) {
@@ -179,8 +196,8 @@ private:
         if (!options_.selects) return plan().units();
         std::size_t units = 0;
         for (std::size_t pass = 0; pass < plan().passes(); ++pass)
-            for (std::size_t tile = 0; tile < plan().tiles(); ++tile)
-                units += options_.selects(pass, tile) && !plan().finished(pass, tile);
+            for (std::size_t number = 0; number < plan().units_per_pass(); ++number)
+                units += options_.selects(pass, number) && !plan().finished(pass, number);
         return units;
     }
 
@@ -201,7 +218,8 @@ private:
 
     bool is_clean_enough(std::int64_t samples_per_pixel) {
         if (!options_.noise_target) return false;
-        const double noise = relative_noise(state_.film);
+        double noise = 0.0;
+        live_.read([&](const FilmSums& film) { noise = relative_noise(film); });
         // Noise falls with the root of the samples.
         const double ratio = *options_.noise_target / noise;
         noise_share_ = noise > 0.0 ? ratio * ratio : 1.0;
@@ -293,6 +311,7 @@ SessionResult run_session(const Scene& scene, const Estimator& estimator,
     RenderIdentity identity;
     identity.samples_per_pixel = scene.render.samples_per_pixel;
     identity.film = film.layout();
+    identity.light_paths = estimator.light_paths();
     RenderState state(std::move(identity), std::move(film));
     const SessionResult result = run_session(estimator, options, state);
     film = std::move(state.film);
@@ -300,7 +319,8 @@ SessionResult run_session(const Scene& scene, const Estimator& estimator,
 }
 
 RenderIdentity render_identity(const Scene& scene, const SessionOptions& options,
-                               const EstimatorRow& estimator, std::uint64_t scene_hash) {
+                               const EstimatorRow& estimator, std::uint64_t scene_hash,
+                               double light_paths) {
     const RenderSettings& settings = scene.render;
     RenderIdentity identity;
     identity.scene_hash = scene_hash;
@@ -309,6 +329,7 @@ RenderIdentity render_identity(const Scene& scene, const SessionOptions& options
     identity.seed = settings.seed;
     identity.samples_per_pixel = settings.samples_per_pixel;
     identity.film = film_layout(scene, options);
+    identity.light_paths = light_paths;
     identity.fingerprint = fingerprint();
     return identity;
 }

@@ -46,7 +46,7 @@ struct SessionOptions {
     const std::atomic<bool>* stop = nullptr;
     /// Which units are this run's; empty: all. With it there is neither time_limit nor
     /// noise_target.
-    std::function<bool(std::size_t pass, std::size_t tile)> selects;
+    std::function<bool(std::size_t pass, std::size_t number)> selects;
     std::optional<Checkpoints> checkpoints;
     /// Other ranks that render too; they have been told to leave when run_session returns.
     Team* team = nullptr;
@@ -63,10 +63,11 @@ struct SessionResult {
     double samples_per_pixel = 0.0;  ///< mean over the crop
     /// Of the state, which may hold more or fewer than this run's.
     std::size_t finished_units = 0, planned_units = 0;
-    std::int64_t samples = 0;  ///< of all pixels together, invalid ones included
-    std::int64_t invalid_samples = 0;
-    std::uint64_t film_hash = 0;  ///< FilmSums::fingerprint
-    double seconds = 0.0;         ///< those of earlier runs included
+    std::int64_t samples = 0;          ///< of all pixels together, invalid ones included
+    std::int64_t invalid_samples = 0;  ///< and splats
+    std::uint64_t light_paths = 0;     ///< that are finished
+    std::uint64_t film_hash = 0;       ///< FilmSums::fingerprint
+    double seconds = 0.0;              ///< those of earlier runs included
 };
 
 /// Goes on with `state` until all of its units, or those that `options` select, are finished, or
@@ -76,9 +77,10 @@ SessionResult run_session(const Estimator& estimator, const SessionOptions& opti
                           RenderState& state);
 
 /// What a render of `scene` is: its bits depend on nothing else. Throws InputError as make_film.
-/// @param scene_hash  of all that `scene` was made from.
+/// @param scene_hash  of all that `scene` was made from.  @param light_paths  of the estimator.
 RenderIdentity render_identity(const Scene& scene, const SessionOptions& options,
-                               const EstimatorRow& estimator, std::uint64_t scene_hash);
+                               const EstimatorRow& estimator, std::uint64_t scene_hash,
+                               double light_paths = 0.0);
 
 /// From the beginning to the end, and no state to keep: renders `scene.render.samples_per_pixel`
 /// samples of every pixel of the film's crop into `film`, which comes from make_film with the same

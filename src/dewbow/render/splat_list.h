@@ -6,9 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "dewbow/render/film.h"
+#include "dewbow/render/film_layout.h"
 #include "dewbow/render/lanes.h"
 
 namespace dewbow {
@@ -50,18 +52,28 @@ public:
 
     /// Adds `weight` times `light` to pixel (x, y) of the whole picture; a pixel outside the crop
     /// drops it. The value is such that the mean over all light paths of a pixel's splats is the
-    /// radiance that it gets from them. One that is not finite or negative is counted and left out.
+    /// radiance that it gets from them. One that is not finite or negative is counted and left out;
+    /// one beyond 2⁶² reference radiances of the film, or the largest float, is counted and
+    /// clamped.
     void add(int x, int y, double weight, const SplatLight& light);
 
     const std::vector<Splat>& splats() const { return splats_; }
     const std::vector<BinSplat>& bins() const { return bins_; }
     std::int64_t invalid() const { return invalid_; }
+    void add_invalid(std::int64_t splats) { invalid_ += splats; }
+
+    /// Appends all splats, 16 bytes each, and those of bins, 12 bytes each; but for how many were
+    /// invalid.
+    void append_bytes(std::string& to) const;
+    /// What append_bytes made of a list for the same film. Throws InputError if that cannot be.
+    static SplatList from_bytes(const FilmLayout& layout, std::string_view bytes);
 
 private:
     void add_bins(std::uint32_t pixel, double weight, const SplatLight& light);
 
     PixelRect crop_;
     int spectral_bins_;
+    double largest_;
     std::vector<Splat> splats_;
     std::vector<BinSplat> bins_;
     std::int64_t invalid_ = 0;

@@ -40,6 +40,8 @@ std::optional<std::string> mismatch(const RenderIdentity& a, const std::string& 
         {"seed", number(a.seed), number(b.seed)},
         {"number of samples a pixel", number(a.samples_per_pixel), number(b.samples_per_pixel)},
         {"way of sampling", a.settings, b.settings},
+        {"number of light paths a sample", fmt::format("{}", a.light_paths),
+         fmt::format("{}", b.light_paths)},
         {"hash of the scene", hash(a.scene_hash), hash(b.scene_hash)},
         {"exponent of the film's quanta", number(a.film.reference_exponent),
          number(b.film.reference_exponent)},
@@ -54,12 +56,16 @@ std::optional<std::string> mismatch(const RenderIdentity& a, const std::string& 
     return std::nullopt;
 }
 
+UnitPlan plan_of(const RenderIdentity& identity) {
+    const double pixels = static_cast<double>(identity.film.width) * identity.film.height;
+    return UnitPlan(identity.film.crop, identity.samples_per_pixel, identity.tile_side,
+                    identity.light_paths * pixels);
+}
+
 RenderState::RenderState(RenderIdentity of) : RenderState(of, FilmSums(of.film)) {}
 
 RenderState::RenderState(RenderIdentity of, FilmSums empty)
-    : identity(std::move(of)),
-      plan(identity.film.crop, identity.samples_per_pixel, identity.tile_side),
-      film(std::move(empty)) {}
+    : identity(std::move(of)), plan(plan_of(identity)), film(std::move(empty)) {}
 
 Added add_state(RenderState& into, const std::string& into_name, const RenderState& from,
                 const std::string& from_name) {

@@ -11,8 +11,10 @@
 //     length of the identity, identity                      u64, bytes
 //     checksum of all that stands before                    u64
 //     pixels of each tile, in the plan's order              128 + 8 · bins bytes a pixel
+//     blocks of splats, and number and bytes of each        u64, u64 + SplatSums::append_block each
 //     plan                                                  UnitPlan::append_bytes
 //     invalid samples: count, kept, and x, y, index each    i64, u64, 2 × i32 + i64 each
+//     invalid splats                                        i64
 //     seconds of rendering                                  f64
 //     checksum of all that stands before                    u64
 //
@@ -35,11 +37,15 @@ struct RenderIdentity {
     std::int64_t samples_per_pixel = 0;  ///< that are planned
     FilmLayout film;
     int tile_side = kTileSide, samples_per_pass = kSamplesPerPass;
-    std::string fingerprint;  ///< of the program and machine
+    double light_paths = 0.0;  ///< Estimator::light_paths
+    std::string fingerprint;   ///< of the program and machine
     /// How pictures are made of the film (picture_settings.h). Nothing in the film depends on it,
     /// and states that differ in it alone can be added.
     std::string picture;
 };
+
+/// The units of that render, none of them finished.
+UnitPlan plan_of(const RenderIdentity& identity);
 
 /// The first thing that differs, with both values: `the seed is 1 in a and 2 in b` for the names
 /// "a" and "b"; nothing if states of the two can be added.
@@ -62,12 +68,16 @@ struct RenderState {
 };
 
 /// Writes a state piece by piece, so that nobody needs it whole in memory: the identity at once,
-/// then the pixels of every tile in the plan's order, then the rest.
+/// then the pixels of every tile in the plan's order, then what light paths brought, then the rest.
 class StateWriter {
 public:
     StateWriter(const RenderIdentity& identity, ByteSink sink);
     /// @param bytes  FilmSums::append_pixels of the next tile.
     void add_tile(std::string_view bytes);
+    /// @param blocks  how many will be added
+    void begin_splats(std::size_t blocks);
+    /// @param bytes  SplatSums::append_block of the next block that is touched
+    void add_block(std::size_t block, std::string_view bytes);
     void finish(const UnitPlan& plan, const InvalidSamples& invalid, double seconds);
 
 private:

@@ -10,6 +10,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/base/file.h"
 #include "dewbow/render/state.h"
+#include "dewbow/scene/caustics_settings.h"
 
 namespace dewbow {
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::string_view kMagic("dewbow state\n\0\0\0", 16);
 constexpr std::uint32_t kByteOrder = 0x01020304, kOtherByteOrder = 0x04030201;
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 /// No name or fingerprint is longer.
 constexpr std::uint64_t kMostIdentityBytes = 1 << 20;
 constexpr std::uint64_t kMostKeptInvalid = 100;
@@ -64,6 +65,7 @@ RenderIdentity identity_from(ByteSource& from) {
                        &film.crop.y1, &film.spectral_bins, &film.reference_exponent,
                        &identity.tile_side, &identity.samples_per_pass})
         *value = read_value<std::int32_t>(from);
+    identity.light_paths = read_value<double>(from);
     identity.fingerprint = read_text(from);
     identity.picture = read_text(from);
     if (from.left() > 0) throw InputError("damaged: its description is too long");
@@ -83,7 +85,8 @@ void check_possible(const RenderIdentity& identity) {
                           within(film.spectral_bins, 0, kMostBins) &&
                           within(film.reference_exponent, -kMostExponent, kMostExponent) &&
                           within(identity.samples_per_pixel, std::int64_t{1}, kMostSamples) &&
-                          within(identity.tile_side, 1, kMostSide);
+                          within(identity.tile_side, 1, kMostSide) &&
+                          within(identity.light_paths, 0.0, kMostLightPaths);
     if (!possible) throw InputError("damaged: what it says of the picture is not possible");
     if (identity.samples_per_pass != kSamplesPerPass)
         throw InputError(fmt::format("its passes have {} samples a pixel, and ours {}",
@@ -149,8 +152,25 @@ InvalidSamples read_invalid(ByteSource& from, const PixelRect& crop) {
             sample.x >= crop.x0 && sample.x < crop.x1 && sample.y >= crop.y0 && sample.y < crop.y1;
         invalid.first.push_back(sample);
     }
+    invalid.splats = read_value<std::int64_t>(from);
+    possible = possible && invalid.splats >= 0;
     if (!possible) throw InputError("damaged: its list of invalid samples is not possible");
     return invalid;
+}
+
+void read_splats(ByteSource& from, SplatSums& splats) {
+    const auto blocks = read_value<std::uint64_t>(from);
+    std::uint64_t next = 0;
+    std::string bytes;
+    for (std::uint64_t i = 0; i < blocks; ++i) {
+        const auto block = read_value<std::uint64_t>(from);
+        if (block < next || block >= splats.blocks())
+            throw InputError("damaged: its splats lie where there are no pixels");
+        next = block + 1;
+        bytes.resize(splats.block_bytes(block));
+        from.read(bytes.data(), bytes.size());
+        splats.add_block(block, bytes);
+    }
 }
 
 RenderState read_checked(ByteSource& source) {
@@ -168,7 +188,11 @@ RenderState read_checked(ByteSource& source) {
         from.read(bytes.data(), bytes.size());
         state.film.add_pixels(part, bytes);
     }
+    read_splats(from, state.film.splats());
     state.plan.read_bytes(from);
+    state.film.add_light_paths(state.plan.finished_light_paths());
+    if (state.film.light_paths() == 0 && state.film.splats().touched_blocks() > 0)
+        throw InputError("damaged: it has splats without light paths");
     state.film.add_invalid(read_invalid(from, identity.film.crop));
     state.seconds = read_value<double>(from);
     if (!(state.seconds >= 0.0) || !std::isfinite(state.seconds))
@@ -192,6 +216,7 @@ std::string identity_bytes(const RenderIdentity& identity) {
                             film.crop.y1, film.spectral_bins, film.reference_exponent,
                             identity.tile_side, identity.samples_per_pass})
         append_value(bytes, std::int32_t{value});
+    append_value(bytes, identity.light_paths);
     append_text(bytes, identity.fingerprint);
     append_text(bytes, identity.picture);
     return bytes;
@@ -227,6 +252,19 @@ void StateWriter::put_checksum() {
 
 void StateWriter::add_tile(std::string_view bytes) { put(bytes); }
 
+void StateWriter::begin_splats(std::size_t blocks) {
+    std::string bytes;
+    append_value(bytes, std::uint64_t{blocks});
+    put(bytes);
+}
+
+void StateWriter::add_block(std::size_t block, std::string_view bytes) {
+    std::string number;
+    append_value(number, std::uint64_t{block});
+    put(number);
+    put(bytes);
+}
+
 void StateWriter::finish(const UnitPlan& plan, const InvalidSamples& invalid, double seconds) {
     std::string bytes;
     plan.append_bytes(bytes);
@@ -237,6 +275,7 @@ void StateWriter::finish(const UnitPlan& plan, const InvalidSamples& invalid, do
         append_value(bytes, std::int32_t{sample.y});
         append_value(bytes, sample.index);
     }
+    append_value(bytes, invalid.splats);
     append_value(bytes, seconds);
     put(bytes);
     put_checksum();
@@ -249,6 +288,14 @@ void write_state(const RenderState& state, const ByteSink& sink) {
         bytes.clear();
         state.film.append_pixels(state.plan.unit(0, tile).tile, bytes);
         writer.add_tile(bytes);
+    }
+    const SplatSums& splats = state.film.splats();
+    writer.begin_splats(splats.touched_blocks());
+    for (std::size_t block = 0; block < splats.blocks(); ++block) {
+        if (!splats.touched(block)) continue;
+        bytes.clear();
+        splats.append_block(block, bytes);
+        writer.add_block(block, bytes);
     }
     writer.finish(state.plan, state.film.invalid(), state.seconds);
 }

@@ -27,28 +27,43 @@ std::size_t Dealer::all_threads() const {
 }
 
 std::size_t Dealer::most_units_a_thread() const {
-    const std::size_t left = (pass_limit_ - block_first_) * plan_.tiles() - next_tile_;
+    const std::size_t left = (pass_limit_ - block_first_) * plan_.units_per_pass() - next_place_;
     return std::max<std::size_t>(left / (kRounds * all_threads()), 1);
 }
 
 void Dealer::begin_block() {
     block_first_ = block_end_;
-    next_tile_ = 0;
+    next_place_ = 0;
     const std::size_t doubled = std::clamp<std::size_t>(block_first_, 1, kMostPasses);
     block_end_ = std::min(block_first_ + std::min(doubled, most_units_a_thread()), pass_limit_);
 }
 
-std::vector<UnitRun> Dealer::take_open(std::size_t tiles) {
+std::size_t Dealer::places() const {
+    return plan_.tiles() + plan_.light_units() * (block_end_ - block_first_);
+}
+
+/// The open units at `place`: runs of passes of a tile, or one light unit.
+void Dealer::append_open(std::size_t place, std::vector<UnitRun>& runs) const {
+    const bool light = plan_.is_light(place);
+    const std::size_t past_tiles = light ? place - plan_.tiles() : 0;
+    const std::size_t number = light ? plan_.tiles() + past_tiles % plan_.light_units() : place;
+    const std::size_t first =
+        light ? block_first_ + past_tiles / plan_.light_units() : block_first_;
+    const std::size_t end = light ? first + 1 : block_end_, before = runs.size();
+    for (std::size_t pass = first; pass < end; ++pass) {
+        if (plan_.finished(pass, number)) continue;
+        if (runs.size() > before && runs.back().end_pass == pass)
+            ++runs.back().end_pass;
+        else
+            runs.push_back({number, pass, pass + 1});
+    }
+}
+
+std::vector<UnitRun> Dealer::take_open(std::size_t places_to_take) {
     std::vector<UnitRun> runs;
-    for (std::size_t taken = 0; taken < tiles && next_tile_ < plan_.tiles(); ++next_tile_) {
+    for (std::size_t taken = 0; taken < places_to_take && next_place_ < places(); ++next_place_) {
         const std::size_t before = runs.size();
-        for (std::size_t pass = block_first_; pass < block_end_; ++pass) {
-            if (plan_.finished(pass, next_tile_)) continue;
-            if (runs.size() > before && runs.back().end_pass == pass)
-                ++runs.back().end_pass;
-            else
-                runs.push_back({next_tile_, pass, pass + 1});
-        }
+        append_open(next_place_, runs);
         if (runs.size() > before) ++taken;
     }
     return runs;
@@ -58,7 +73,7 @@ std::optional<Lease> Dealer::deal(int rank, double now) {
     const auto threads = threads_.find(rank);
     if (threads == threads_.end()) return std::nullopt;
     for (;;) {
-        if (next_tile_ == plan_.tiles() || block_first_ == block_end_) {
+        if (next_place_ == places() || block_first_ == block_end_) {
             if (block_end_ >= pass_limit_) return deal_again(rank, now);
             begin_block();
         }

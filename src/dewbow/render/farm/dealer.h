@@ -15,9 +15,9 @@ namespace dewbow {
 
 /// Hands out the open units of a plan. The plan is cut into blocks of passes; within a block tiles
 /// are dealt in their order, each with all passes of the block: the sums of many passes of a tile
-/// are as many bytes as those of one. Blocks double, so that an interrupted picture is even within
-/// a factor of two, and shrink with what is left, so that all end together [guided self-scheduling:
-/// Polychronopoulos and Kuck 1987].
+/// are as many bytes as those of one. Light units follow, one by one: their splats are sent. Blocks
+/// double, so that an interrupted picture is even within a factor of two, and shrink with what is
+/// left, so that all end together [guided self-scheduling: Polychronopoulos and Kuck 1987].
 ///
 /// Nobody has to notice that a rank is lost: when nothing is open and somebody is idle, the oldest
 /// lease is dealt again [backup tasks: Dean and Ghemawat 2004]. Whoever brings it first counts.
@@ -51,7 +51,9 @@ private:
         double last_dealt = 0.0;
     };
 
-    std::vector<UnitRun> take_open(std::size_t tiles);
+    std::vector<UnitRun> take_open(std::size_t places);
+    std::size_t places() const;
+    void append_open(std::size_t place, std::vector<UnitRun>& runs) const;
     void begin_block();
     std::size_t most_units_a_thread() const;
     std::size_t all_threads() const;
@@ -61,8 +63,8 @@ private:
     std::size_t pass_limit_;
     std::map<int, int> threads_;                   // by rank
     std::size_t block_first_ = 0, block_end_ = 0;  // passes
-    std::size_t next_tile_ = 0;                    // of the block
-    std::map<std::uint64_t, Out> out_;             // by number: the oldest first
+    std::size_t next_place_ = 0;  // of the block: its tiles, then the light units of each pass
+    std::map<std::uint64_t, Out> out_;  // by number: the oldest first
     std::uint64_t next_number_ = 0;
     std::size_t dealt_again_ = 0;
 };

@@ -11,7 +11,7 @@ namespace {
 void finish(const Lease& lease, UnitPlan& plan, Dealer& dealer) {
     for (const UnitRun& run : lease.runs)
         for (std::size_t pass = run.first_pass; pass < run.end_pass; ++pass)
-            plan.set_finished(pass, run.tile);  // checks that no unit is finished twice
+            plan.set_finished(pass, run.number);  // checks that no unit is finished twice
     dealer.close(lease.number);
 }
 

@@ -16,18 +16,29 @@ using message::Piece;
 
 /// An empty film of the run's tile.
 FilmSums tile_film(const UnitRun& run, const UnitPlan& plan, FilmLayout layout) {
-    layout.crop = plan.unit(0, run.tile).tile;
+    layout.crop = plan.unit(0, run.number).tile;
     return FilmSums(layout);
 }
 
-Piece render_run(UnitRun run, const Estimator& estimator, const UnitPlan& plan,
-                 const FilmLayout& layout, const std::function<bool()>& stopped) {
+Piece render_tile(UnitRun run, const Estimator& estimator, const UnitPlan& plan,
+                  const FilmLayout& layout, const std::function<bool()>& stopped) {
     FilmSums film = tile_film(run, plan, layout);
     std::uint64_t pass = run.first_pass;
     for (; pass < run.end_pass && !stopped(); ++pass)
-        estimator.render(plan.unit(pass, run.tile), film);
-    Piece piece{{run.tile, run.first_pass, pass}, {}, film.invalid()};
-    if (piece.run.units() > 0) film.append_pixels(film.crop(), piece.pixels);
+        estimator.render(plan.unit(pass, run.number), film);
+    Piece piece{{run.number, run.first_pass, pass}, {}, film.invalid()};
+    if (piece.run.units() > 0) film.append_pixels(film.crop(), piece.sums);
+    return piece;
+}
+
+Piece trace_light(UnitRun run, const Estimator& estimator, const UnitPlan& plan,
+                  const FilmLayout& layout, const std::function<bool()>& stopped) {
+    SplatList splats(layout);
+    std::uint64_t pass = run.first_pass;
+    for (; pass < run.end_pass && !stopped(); ++pass)
+        estimator.trace_light(plan.light_unit(pass, run.number), splats);
+    Piece piece{{run.number, run.first_pass, pass}, {}, {0, {}, splats.invalid()}};
+    if (piece.run.units() > 0) splats.append_bytes(piece.sums);
     return piece;
 }
 
@@ -38,7 +49,9 @@ message::Result render_lease(const Lease& lease, const Estimator& estimator, con
     const auto start = std::chrono::steady_clock::now();
     message::Result result{lease.number, std::vector<Piece>(lease.runs.size()), 0.0};
     parallel_for(lease.runs.size(), [&](std::size_t i) {
-        result.pieces[i] = render_run(lease.runs[i], estimator, plan, layout, stopped);
+        const UnitRun& run = lease.runs[i];
+        const auto& finish = plan.is_light(run.number) ? trace_light : render_tile;
+        result.pieces[i] = finish(run, estimator, plan, layout, stopped);
     });
     std::erase_if(result.pieces, [](const Piece& piece) { return piece.run.units() == 0; });
     result.seconds =
@@ -54,11 +67,16 @@ void check_pieces(const message::Result& result, const UnitPlan& plan, const Fil
     std::set<std::pair<std::uint64_t, std::uint64_t>> units;
     for (const Piece& piece : result.pieces) {
         const UnitRun& run = piece.run;
-        check(run.tile < plan.tiles() && run.end_pass <= plan.passes());
-        const auto area = static_cast<std::size_t>(plan.unit(0, run.tile).tile.area());
-        check(piece.pixels.size() == area * pixel_bytes);
+        check(run.number < plan.units_per_pass() && run.end_pass <= plan.passes());
+        if (plan.is_light(run.number)) {
+            check(piece.invalid.splats >= 0);
+            static_cast<void>(SplatList::from_bytes(layout, piece.sums));
+        } else {
+            const auto area = static_cast<std::size_t>(plan.unit(0, run.number).tile.area());
+            check(piece.sums.size() == area * pixel_bytes);
+        }
         for (std::uint64_t pass = run.first_pass; pass < run.end_pass; ++pass)
-            check(!plan.finished(pass, run.tile) && units.emplace(pass, run.tile).second);
+            check(!plan.finished(pass, run.number) && units.emplace(pass, run.number).second);
     }
 }
 
@@ -66,10 +84,17 @@ std::size_t add_pieces(const message::Result& result, const UnitPlan& plan,
                        const FilmLayout& layout, LiveState& to) {
     std::size_t units = 0;
     for (const Piece& piece : result.pieces) {
-        FilmSums film = tile_film(piece.run, plan, layout);
-        film.add_pixels(film.crop(), piece.pixels);
-        film.add_invalid(piece.invalid);
-        to.hand_in(piece.run.first_pass, piece.run.end_pass, piece.run.tile, film);
+        const UnitRun& run = piece.run;
+        if (plan.is_light(run.number)) {
+            SplatList splats = SplatList::from_bytes(layout, piece.sums);
+            splats.add_invalid(piece.invalid.splats);
+            to.hand_in(run.first_pass, run.end_pass, run.number, splats);
+        } else {
+            FilmSums film = tile_film(run, plan, layout);
+            film.add_pixels(film.crop(), piece.sums);
+            film.add_invalid(piece.invalid);
+            to.hand_in(run.first_pass, run.end_pass, run.number, film);
+        }
         units += piece.run.units();
     }
     return units;

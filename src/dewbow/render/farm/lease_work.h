@@ -19,7 +19,7 @@ message::Result render_lease(const Lease& lease, const Estimator& estimator, con
                              const FilmLayout& layout, const std::function<bool()>& stopped);
 
 /// Throws InputError unless the pieces are of open units of `plan`, each once, with as many pixels
-/// as they must have.
+/// as they must have, and splats that can be.
 void check_pieces(const message::Result& result, const UnitPlan& plan, const FilmLayout& layout);
 
 /// Adds pieces that check_pieces has let pass. Returns how many units they are.

@@ -49,7 +49,7 @@ void append_text(std::string& to, std::string_view text) {
 }
 
 void append(std::string& to, const UnitRun& run) {
-    append_value(to, run.tile);
+    append_value(to, run.number);
     append_value(to, run.first_pass);
     append_value(to, run.end_pass);
 }
@@ -64,7 +64,7 @@ constexpr std::size_t kRunBytes = 3 * sizeof(std::uint64_t);
 
 UnitRun read_run(Reader& from) {
     UnitRun run;
-    run.tile = read_value<std::uint64_t>(from);
+    run.number = read_value<std::uint64_t>(from);
     run.first_pass = read_value<std::uint64_t>(from);
     run.end_pass = read_value<std::uint64_t>(from);
     if (run.first_pass >= run.end_pass) refuse("passes end before they begin");
@@ -86,6 +86,7 @@ void append(std::string& to, const InvalidSamples& invalid) {
         append_value(to, sample.y);
         append_value(to, sample.index);
     }
+    append_value(to, invalid.splats);
 }
 
 InvalidSamples read_invalid(Reader& from) {
@@ -96,6 +97,7 @@ InvalidSamples read_invalid(Reader& from) {
         sample.y = read_value<int>(from);
         sample.index = read_value<std::int64_t>(from);
     }
+    invalid.splats = read_value<std::int64_t>(from);
     return invalid;
 }
 
@@ -112,7 +114,7 @@ struct Body {
         append_value<std::uint64_t>(to, result.pieces.size());
         for (const Piece& piece : result.pieces) {
             append(to, piece.run);
-            append_text(to, piece.pixels);
+            append_text(to, piece.sums);
             append(to, piece.invalid);
         }
         append_value(to, result.seconds);
@@ -134,7 +136,7 @@ void read_body(Result& result, Reader& from) {
     result.pieces.resize(from.count(kRunBytes));
     for (Piece& piece : result.pieces) {
         piece.run = read_run(from);
-        piece.pixels = from.text();
+        piece.sums = from.text();
         piece.invalid = read_invalid(from);
     }
     result.seconds = read_value<double>(from);

@@ -24,9 +24,11 @@
 
 namespace dewbow {
 
-/// Passes [first_pass, end_pass) of one tile: their sums are sent as those of one tile.
+/// Passes [first_pass, end_pass) of one tile, whose sums are sent as those of one tile; or of one
+/// light unit, whose splats are sent one by one.
 struct UnitRun {
-    std::uint64_t tile = 0, first_pass = 0, end_pass = 0;
+    std::uint64_t number = 0;  ///< of the unit in its passes
+    std::uint64_t first_pass = 0, end_pass = 0;
     std::uint64_t units() const { return end_pass - first_pass; }
     bool operator==(const UnitRun&) const = default;
 };
@@ -51,7 +53,8 @@ struct Work {
 /// A run that is finished, or its begin if the render ended.
 struct Piece {
     UnitRun run;
-    std::string pixels;  ///< FilmSums::append_pixels of the tile
+    /// FilmSums::append_pixels of the tile, or SplatList::append_bytes.
+    std::string sums;
     InvalidSamples invalid;
 };
 struct Result {

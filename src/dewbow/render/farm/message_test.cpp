@@ -30,7 +30,7 @@ TEST(Message, ComesBackAsItWasSent) {
     ASSERT_EQ(result.pieces.size(), kResult.pieces.size());
     for (std::size_t i = 0; i < result.pieces.size(); ++i) {
         EXPECT_EQ(result.pieces[i].run, kResult.pieces[i].run);
-        EXPECT_EQ(result.pieces[i].pixels, kResult.pieces[i].pixels);
+        EXPECT_EQ(result.pieces[i].sums, kResult.pieces[i].sums);
         EXPECT_EQ(result.pieces[i].invalid.count, kResult.pieces[i].invalid.count);
         EXPECT_EQ(result.pieces[i].invalid.first, kResult.pieces[i].invalid.first);
     }

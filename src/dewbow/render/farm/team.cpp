@@ -212,8 +212,7 @@ private:
     void take(int rank, const message::Result& result) {
         ++wanted_[rank];
         ++report_.results;
-        for (const message::Piece& piece : result.pieces)
-            report_.result_bytes += piece.pixels.size();
+        for (const message::Piece& piece : result.pieces) report_.result_bytes += piece.sums.size();
         add(rank, result);
     }
     void take(int rank, const message::Bye& bye) {

@@ -201,7 +201,7 @@ TEST(Team, SumsThatNobodyAskedForAreLeftOut) {
                 message = message_from_bytes(letter->bytes);
         const Lease& lease = std::get<message::Work>(*message).lease;
         UnitRun run = lease.runs[0];
-        run.tile += 1000;
+        run.number += 1000;
         transport.send(0, bytes_of(message::Result{lease.number, {{run, "x", {}}}, 0.0}));
         transport.send(0, bytes_of(message::Bye{}));
     };
@@ -269,7 +269,7 @@ TEST(LeaseWork, RefusesUnitsThatAreFinishedAndPixelsOfAnotherSize) {
     };
     EXPECT_NO_THROW(check(result));
     message::Result longer = result;
-    longer.pieces[0].pixels += "x";
+    longer.pieces[0].sums += "x";
     EXPECT_THROW(check(longer), InputError);
     message::Result twice = result;
     twice.pieces.push_back(result.pieces[0]);

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "dewbow/base/check.h"
 #include "dewbow/base/error.h"
 #include "dewbow/render/farm/lease_work.h"
 
@@ -24,7 +25,9 @@ public:
         : transport_(transport), longest_silence_(longest_silence) {}
 
     Parting work(const Estimator& estimator, const RenderIdentity& identity, int threads) {
-        const UnitPlan plan(identity.film.crop, identity.samples_per_pixel, identity.tile_side);
+        const UnitPlan plan = plan_of(identity);
+        DEWBOW_CHECK(identity.light_paths == estimator.light_paths(),
+                     "the units are those of the estimator");
         send(message::Hello{identity_bytes(identity), threads});
         send(message::Request{});
         while (const auto lease = next_lease()) {
