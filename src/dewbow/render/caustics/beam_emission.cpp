@@ -7,20 +7,20 @@
 
 namespace dewbow::caustics {
 
-BeamEmission::BeamEmission(const Beam& beam, int index, const std::vector<CasterBounds>& groups)
-    : GroupedEmission(LightSample::Source::beam, index, groups, 0),
+BeamEmission::BeamEmission(const Beam& beam, int index, const Aims& aims)
+    : GroupedEmission(LightSample::Source::beam, index, aims, 0),
       beam_(beam.light()),
       disc_{beam_.position.v, beam_.radius.to(unit::m)},
       brightness_(dewbow::brightness(beam.spectrum())) {
     const double area = std::numbers::pi * disc_.radius * disc_.radius;
     double all = 0.0;
-    for (const CasterBounds& group : groups) {
+    for (const CasterBounds& group : groups()) {
         const auto entry = group.enter(beam_.direction.v, {0.5, 0.5});
         const bool smaller = !group.endless() && entry && 1.0 / entry->pdf < area;
         by_group_.push_back(smaller);
         all += smaller ? 1.0 / entry->pdf : area;
     }
-    one_ = all >= area && !groups.empty();
+    one_ = all >= area && !groups().empty();
     if (one_) by_group_.assign(1, false);
     weigh(int(by_group_.size()), std::vector<bool>(by_group_.size(), false), brightness_ * area);
 }

@@ -9,7 +9,7 @@ namespace dewbow::caustics {
 
 class BeamEmission final : public GroupedEmission {
 public:
-    BeamEmission(const Beam& beam, int index, const std::vector<CasterBounds>& groups);
+    BeamEmission(const Beam& beam, int index, const Aims& aims);
 
     int dimensions() const override { return 2; }
 

@@ -170,7 +170,7 @@ TEST(DirectionsTo, AreThoseThatMeetTheBody) {
 
 /// From afar faces are sampled by area: densities then integrate to 1 as they should.
 TEST(DirectionsTo, AreAsDenseFromAfar) {
-    constexpr double kDistance = 5000.0;
+    constexpr double kDistance = 500.0;
     constexpr int kSamples = 4000;
     for (const CasterBounds& body : bodies()) {
         const Vec3 from = body.ball().centre + direction(3) * kDistance;

@@ -10,9 +10,9 @@ namespace dewbow::caustics {
 
 namespace {
 
-/// Below this solid angle a box's faces are sampled by area, which is then nearly the same: the
-/// rounding of a spherical rectangle, 1e-15 sr, would come to 1e-9 of it.
-constexpr double kLeastSolidAngle_sr = 1e-6;
+/// Below this solid angle a box's faces are sampled by area, which is quicker and then nearly the
+/// same: densities differ by some percent over a face.
+constexpr double kSmall_sr = 1e-4;
 /// A point nearer to a box than this share of its size is taken to lie in it: what it sees is
 /// nearly a hemisphere.
 constexpr double kTooNear = 1e-4;
@@ -34,31 +34,33 @@ std::optional<DirectionsTo> DirectionsTo::to(const Ball& ball, Vec3 point) {
 }
 
 std::optional<DirectionsTo> DirectionsTo::to(const OrientedBox& box, Vec3 point) {
-    ToBox to{box, box.to_local(point - box.centre), {}, 0, false};
+    ToBox to{box, box.to_local(point - box.centre), {}, 0, true};
     const double size = std::max({box.half.x, box.half.y, box.half.z});
-    double all = 0.0, all_far = 0.0, farthest_out = 0.0;
-    std::array<double, 3> far_share;
+    double farthest_out = 0.0, sum = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double height = std::abs(to.from[axis]) - box.half[axis];
         farthest_out = std::max(farthest_out, height);
         if (!(height > 0.0)) continue;
-        const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-        Face& face = to.faces[std::size_t(to.count)];
+        Face& face = to.faces[std::size_t(to.count++)];
         face.axis = axis;
-        face.seen = SphericalRectangle(-box.half[x] - to.from[x], box.half[x] - to.from[x],
-                                       -box.half[y] - to.from[y], box.half[y] - to.from[y], height);
-        all += face.share = std::max(0.0, face.seen.solid_angle());
-        const double d = std::hypot(height, to.from[x], to.from[y]);  // to the face's centre
-        all_far += far_share[std::size_t(to.count)] = box.face_area(axis) * height / (d * d * d);
-        ++to.count;
+        // To its centre: about its solid angle is area × cosine / distance².
+        const double d2 = dot(to.from, to.from) - to.from[axis] * to.from[axis] + height * height;
+        sum += face.share = box.face_area(axis) * height / (d2 * std::sqrt(d2));
     }
     if (!(farthest_out > kTooNear * size)) return std::nullopt;
-    to.far = !(all > kLeastSolidAngle_sr);
-    const double sum = to.far ? all_far : all;
-    for (int i = 0; i < to.count; ++i) {
-        Face& face = to.faces[std::size_t(i)];
-        face.share = sum > 0.0 ? (to.far ? far_share[std::size_t(i)] : face.share) / sum : 0.0;
+    if (sum > kSmall_sr) {
+        to.far = false;
+        sum = 0.0;
+        for (int i = 0; i < to.count; ++i) {
+            Face& face = to.faces[std::size_t(i)];
+            const int x = (face.axis + 1) % 3, y = (face.axis + 2) % 3;
+            face.seen = SphericalRectangle(-box.half[x] - to.from[x], box.half[x] - to.from[x],
+                                           -box.half[y] - to.from[y], box.half[y] - to.from[y],
+                                           std::abs(to.from[face.axis]) - box.half[face.axis]);
+            sum += face.share = face.seen.solid_angle();
+        }
     }
+    for (int i = 0; i < to.count; ++i) to.faces[std::size_t(i)].share /= sum > 0.0 ? sum : 1.0;
     return DirectionsTo(sum, to);
 }
 

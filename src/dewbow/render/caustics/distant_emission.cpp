@@ -6,43 +6,16 @@
 
 namespace dewbow::caustics {
 
-namespace {
-
-/// Rays begin this much farther out than the farthest thing, as a share of its distance.
-constexpr double kFartherOut = 0.01;
-
-}  // namespace
-
-Outside::Outside(const Scene& scene) {
-    const Bounds all = bounds_of(scene);
-    ball_ = all.empty() ? Ball{{}, 0.0} : Ball{all.centre(), all.radius()};
-    for (const Shape& shape : scene.shapes)
-        if (std::holds_alternative<Plane>(shape.geometry))
-            planes_.push_back({shape.world_from_object(Point<Object>{}).v,
-                               shape.world_from_object(Normal<Object>{{0, 0, 1}}).v, 0.0});
-}
-
-Vec3 Outside::before(Vec3 point, Vec3 direction) const {
-    double back = std::max(0.0, dot(point - ball_.centre, direction) + ball_.radius);
-    for (const EndlessPlane& plane : planes_) {
-        const double cosine = dot(direction, plane.normal);
-        if (cosine == 0.0) continue;
-        back = std::max(back, dot(point - plane.point, plane.normal) / cosine);
-    }
-    return point - direction * (back * (1.0 + kFartherOut));
-}
-
-DistantEmission::DistantEmission(const InfiniteLight& light, int index,
-                                 const std::vector<CasterBounds>& groups, const Outside& outside)
-    : GroupedEmission(LightSample::Source::infinite, index, groups, 0),
+DistantEmission::DistantEmission(const InfiniteLight& light, int index, const Aims& aims)
+    : GroupedEmission(LightSample::Source::infinite, index, aims, 0),
       light_(light),
-      outside_(outside) {
+      outside_(aims.outside) {
     double area = 0.0;  // of their mean shadow
-    for (const CasterBounds& group : groups)
+    for (const CasterBounds& group : groups())
         if (!group.endless()) area += 0.25 * group.surface();
-    const bool endless = std::any_of(groups.begin(), groups.end(),
+    const bool endless = std::any_of(groups().begin(), groups().end(),
                                      [](const CasterBounds& g) { return g.endless(); });
-    weigh(int(groups.size()), std::vector<bool>(groups.size(), false),
+    weigh(int(groups().size()), std::vector<bool>(groups().size(), false),
           light.irradiance() * (endless ? std::max(area, 1.0) : area));
 }
 

@@ -8,23 +8,9 @@
 
 namespace dewbow::caustics {
 
-/// Where rays from infinitely far begin: before everything that there is.
-class Outside {
-public:
-    explicit Outside(const Scene& scene);
-    /// A point from which a ray along `direction` through `point` meets all that lies on the line.
-    Vec3 before(Vec3 point, Vec3 direction) const;
-
-private:
-    Ball ball_;  ///< around all shapes but planes
-    std::vector<EndlessPlane> planes_;
-};
-
 class DistantEmission final : public GroupedEmission {
 public:
-    /// All must outlive this.
-    DistantEmission(const InfiniteLight& light, int index, const std::vector<CasterBounds>& groups,
-                    const Outside& outside);
+    DistantEmission(const InfiniteLight& light, int index, const Aims& aims);
 
     int dimensions() const override { return light_.parallel() ? 2 : 4; }
 
@@ -34,7 +20,7 @@ private:
     double brightness(const EmittedRay& ray) const override;
 
     const InfiniteLight& light_;
-    const Outside& outside_;
+    const Outside& outside_;  ///< of the aims
 };
 
 }  // namespace dewbow::caustics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/caustics/emission_map.h"
 
+#include <type_traits>
+
 #include "dewbow/render/caustics/beam_emission.h"
 #include "dewbow/render/caustics/distant_emission.h"
 #include "dewbow/render/caustics/point_emission.h"
@@ -19,27 +21,21 @@ void radiance(const EmittedRay& ray, const LightSet& lights, const LaneSet& lane
     lights.radiance(sample, lanes, rgb, out);
 }
 
-EmissionMaps::EmissionMaps(const PreparedScene& prepared, const Casters& casters)
-    : outside_(std::make_unique<const Outside>(prepared.scene)) {
+EmissionMaps::EmissionMaps(const PreparedScene& prepared, const Casters& casters) {
     using Source = LightSample::Source;
     const LightSet& lights = prepared.lights;
-    const auto begin = [&](Source source) { first_[std::size_t(source)] = size(); };
-    begin(Source::shape);
-    for (const GlowingShape& shape : lights.shapes())
-        maps_.push_back(std::make_unique<SurfaceEmission>(
-            shape, size() - first_[std::size_t(Source::shape)], casters.groups()));
-    begin(Source::punctual);
-    for (const PunctualLight& light : lights.punctual())
-        maps_.push_back(std::make_unique<PointEmission>(
-            light, size() - first_[std::size_t(Source::punctual)], casters.groups()));
-    begin(Source::beam);
-    for (const Beam& beam : lights.beams())
-        maps_.push_back(std::make_unique<BeamEmission>(
-            beam, size() - first_[std::size_t(Source::beam)], casters.groups()));
-    begin(Source::infinite);
-    for (const InfiniteLight& light : lights.infinite())
-        maps_.push_back(std::make_unique<DistantEmission>(
-            light, size() - first_[std::size_t(Source::infinite)], casters.groups(), *outside_));
+    aims_ = std::make_unique<const Aims>(prepared.scene, casters,
+                                         lights.shapes().size() + lights.punctual().size() +
+                                             lights.beams().size() + lights.infinite().size());
+    const auto add = [&]<class Map>(Source source, const auto& lamps, std::type_identity<Map>) {
+        first_[std::size_t(source)] = size();
+        for (std::size_t i = 0; i < lamps.size(); ++i)
+            maps_.push_back(std::make_unique<Map>(lamps[i], int(i), *aims_));
+    };
+    add(Source::shape, lights.shapes(), std::type_identity<SurfaceEmission>{});
+    add(Source::punctual, lights.punctual(), std::type_identity<PointEmission>{});
+    add(Source::beam, lights.beams(), std::type_identity<BeamEmission>{});
+    add(Source::infinite, lights.infinite(), std::type_identity<DistantEmission>{});
 }
 
 EmissionMaps::~EmissionMaps() = default;

@@ -77,7 +77,7 @@ private:
     int index_;
 };
 
-class Outside;
+struct Aims;
 
 /// All lamps of a scene: shapes, then points, beams, and what is infinitely far, in LightSet's
 /// order. Lamps that shine on no caster are there, and give nothing.
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    std::unique_ptr<const Outside> outside_;
+    std::unique_ptr<const Aims> aims_;
     std::vector<std::unique_ptr<const EmissionMap>> maps_;
     std::array<int, 4> first_{};  ///< of each source
 };

@@ -9,8 +9,6 @@ namespace dewbow::caustics {
 namespace {
 
 constexpr double kOneBelow = 1.0 - 0x1p-53;  // the largest double below 1
-/// Rays that are looked at for each target.
-constexpr int kLooks = 64;
 /// Share of the choices that falls on all targets alike: what a target gets is an estimate.
 constexpr double kEvenShare = 0.1;
 /// A lamp whose looks found nothing may still give this share of its light.
@@ -44,10 +42,10 @@ void GroupedEmission::weigh(int targets, const std::vector<bool>& dark, double w
         if (dark[std::size_t(target)]) continue;
         ++lit;
         double found = 0.0;
-        for (int i = 0; i < kLooks; ++i)
+        for (int i = 0; i < aims_.looks; ++i)
             if (const auto ray = towards(target, even_point(i)))
                 found += brightness(*ray) / ray->pdf;
-        sum += flux[std::size_t(target)] = found / kLooks;
+        sum += flux[std::size_t(target)] = found / aims_.looks;
     }
     if (lit == 0 || !(whole > 0.0)) return;
     power_ = std::max(sum, kLeastShare * whole);
@@ -73,7 +71,7 @@ int GroupedEmission::places(const Ray& ray, std::span<Place> places) const {
     int count = 0;
     for (std::size_t target = 0; target < choose_->size(); ++target) {
         const double chosen = choose_->probability(target);
-        if (!(chosen > 0.0)) continue;
+        if (!(chosen > 0.0) || !may_meet(target, ray)) continue;
         std::optional<Place> place = place_towards(int(target), ray);
         if (!place || !(place->pdf > 0.0)) continue;
         place->u[axis_] = number_of(*choose_, target, place->u[axis_]);
@@ -83,8 +81,18 @@ int GroupedEmission::places(const Ray& ray, std::span<Place> places) const {
     return count;
 }
 
+/// Whether the whole line passes the ball around a target: cheaper than whether it meets it.
+bool GroupedEmission::may_meet(std::size_t target, const Ray& ray) const {
+    if (choose_->size() != aims_.around.size()) return true;  // one target for all groups
+    constexpr double kRounding = 1.0 + 1e-6;
+    const Ball& ball = aims_.around[target];
+    const Vec3 to_centre = ball.centre - ray.origin;
+    const Vec3 aside = to_centre - ray.direction * dot(to_centre, ray.direction);
+    return dot(aside, aside) <= ball.radius * ball.radius * kRounding;
+}
+
 bool GroupedEmission::meets_any(Vec3 origin, Vec3 direction) const {
-    return std::any_of(groups_.begin(), groups_.end(),
+    return std::any_of(aims_.groups.begin(), aims_.groups.end(),
                        [&](const CasterBounds& group) { return group.met_by(origin, direction); });
 }
 

@@ -5,6 +5,7 @@
 // that the ray is aimed at, by what the lamp sends there, and is stretched to be used again.
 
 #include "dewbow/math/distribution.h"
+#include "dewbow/render/caustics/aims.h"
 #include "dewbow/render/caustics/emission_map.h"
 
 namespace dewbow::caustics {
@@ -17,9 +18,8 @@ public:
 
 protected:
     /// @param axis  of the number that chooses.
-    GroupedEmission(LightSample::Source source, int index, const std::vector<CasterBounds>& groups,
-                    std::size_t axis)
-        : EmissionMap(source, index), groups_(groups), axis_(axis) {}
+    GroupedEmission(LightSample::Source source, int index, const Aims& aims, std::size_t axis)
+        : EmissionMap(source, index), aims_(aims), axis_(axis) {}
 
     /// A ray towards one target that meets it; `pdf` without the choice of the target.
     virtual std::optional<EmittedRay> towards(int target, const std::array<double, 4>& u) const = 0;
@@ -36,11 +36,13 @@ protected:
     EmittedRay lit(const Ray& ray, double pdf, bool without_extent) const {
         return {ray, source(), index(), without_extent, 1.0, {}, pdf};
     }
-    const std::vector<CasterBounds>& groups() const { return groups_; }
+    const std::vector<CasterBounds>& groups() const { return aims_.groups; }
     bool meets_any(Vec3 origin, Vec3 direction) const;
 
 private:
-    const std::vector<CasterBounds>& groups_;
+    bool may_meet(std::size_t target, const Ray& ray) const;
+
+    const Aims& aims_;
     std::size_t axis_;
     std::optional<Distribution1D> choose_;  ///< nothing: it gives none light
     double power_ = 0.0;

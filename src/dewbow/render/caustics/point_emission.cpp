@@ -10,9 +10,8 @@
 
 namespace dewbow::caustics {
 
-PointEmission::PointEmission(const PunctualLight& light, int index,
-                             const std::vector<CasterBounds>& groups)
-    : GroupedEmission(LightSample::Source::punctual, index, groups, 0),
+PointEmission::PointEmission(const PunctualLight& light, int index, const Aims& aims)
+    : GroupedEmission(LightSample::Source::punctual, index, aims, 0),
       light_(light),
       position_(light.position()),
       brightness_(dewbow::brightness(light.spectrum())) {
@@ -23,12 +22,12 @@ PointEmission::PointEmission(const PunctualLight& light, int index,
     width_ = one_minus_cos(half * unit::rad);
     const double cone_sr = 1.0 / pdf_uniform_cone(width_);
     double all_sr = 0.0;
-    for (const CasterBounds& group : groups) {
+    for (const CasterBounds& group : groups()) {
         to_.push_back(DirectionsTo::from(position_, group));
         if (to_.back() && to_.back()->solid_angle() > cone_sr) to_.back().reset();
         all_sr += to_.back() ? to_.back()->solid_angle() : cone_sr;
     }
-    one_ = all_sr >= cone_sr && !groups.empty();
+    one_ = all_sr >= cone_sr && !groups().empty();
     if (one_) to_.assign(1, std::nullopt);
     weigh(int(to_.size()), std::vector<bool>(to_.size(), false), bounds.intensity * cone_sr);
 }

@@ -10,7 +10,7 @@ namespace dewbow::caustics {
 
 class PointEmission final : public GroupedEmission {
 public:
-    PointEmission(const PunctualLight& light, int index, const std::vector<CasterBounds>& groups);
+    PointEmission(const PunctualLight& light, int index, const Aims& aims);
 
     int dimensions() const override { return 2; }
 

@@ -73,27 +73,26 @@ double reach_along(const CasterBounds& target, Vec3 n) {
 
 }  // namespace
 
-SurfaceEmission::SurfaceEmission(const GlowingShape& shape, int index,
-                                 const std::vector<CasterBounds>& groups)
-    : GroupedEmission(LightSample::Source::shape, index, groups, 2),
+SurfaceEmission::SurfaceEmission(const GlowingShape& shape, int index, const Aims& aims)
+    : GroupedEmission(LightSample::Source::shape, index, aims, 2),
       shape_(shape),
       ball_(shape.ball()) {
-    std::vector<bool> dark(groups.size(), false);
+    std::vector<bool> dark(groups().size(), false);
     const auto count = std::size_t(shape.parts());
-    const bool one_table = count * groups.size() > kMostCells;
+    const bool one_table = count * groups().size() > kMostCells;
     double whole = 0.0;
     for (std::size_t part = 0; part < count; ++part) whole += shape.bounds(int(part)).intensity;
-    for (std::size_t target = 0; target < groups.size(); ++target) {
-        if (ball_) caps_.push_back(cap_towards(groups[target]));
+    for (std::size_t target = 0; target < groups().size(); ++target) {
+        if (ball_) caps_.push_back(cap_towards(groups()[target]));
         if (one_table && target > 0) continue;
         std::vector<double> weights(count);
         for (std::size_t part = 0; part < count; ++part)
             weights[part] =
-                one_table ? shape.bounds(int(part)).intensity : weight(int(part), groups[target]);
+                one_table ? shape.bounds(int(part)).intensity : weight(int(part), groups()[target]);
         parts_.emplace_back(weights);
         dark[target] = !one_table && parts_.back().was_all_zero();
     }
-    weigh(int(groups.size()), dark, kPi * whole);
+    weigh(int(groups().size()), dark, kPi * whole);
 }
 
 /// Directions to the target lie within β = asin((R + r) / d) of that between the centres. At θ from

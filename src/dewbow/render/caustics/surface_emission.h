@@ -9,7 +9,7 @@ namespace dewbow::caustics {
 
 class SurfaceEmission final : public GroupedEmission {
 public:
-    SurfaceEmission(const GlowingShape& shape, int index, const std::vector<CasterBounds>& groups);
+    SurfaceEmission(const GlowingShape& shape, int index, const Aims& aims);
 
     int dimensions() const override { return 4; }
 
