@@ -119,6 +119,7 @@ std::optional<LightSample> LightSet::sample_near(const Receiver& receiver, doubl
     if (!s) return std::nullopt;
     LightSample sample{leaf.source, leaf.index, s->direction, s->distance,
                        choice->probability * s->pdf};
+    sample.primitive = s->primitive;
     const Glow& glow = shapes_[std::size_t(leaf.index)].glow();
     if (!glow.varies()) return sample;
     const SurfaceCoordinates at = shapes_[std::size_t(leaf.index)].coordinates(*s);
@@ -197,6 +198,27 @@ double LightSet::pdf_of_hit(const Receiver& receiver, Vec3 direction, const Hit&
         shares(receiver).near * tree_->probability(receiver, first_leaf_[glowing] + part);
     if (chosen == 0.0) return 0.0;
     return chosen * shapes_[glowing].pdf(part, receiver.position, direction, hit);
+}
+
+double LightSet::pdf_of_choice(const Receiver& receiver, LightSample::Source source,
+                               int index) const {
+    const Shares share = shares(receiver);
+    switch (source) {
+        case LightSample::Source::shape:
+            return 0.0;
+        case LightSample::Source::punctual: {
+            const int leaf = int(leaves_.size() - punctual_.size()) + index;
+            return share.near * tree_->probability(receiver, leaf);
+        }
+        case LightSample::Source::beam: {
+            const double sum = beam_irradiance(receiver);
+            return sum > 0.0 ? share.beams * beams_[std::size_t(index)].irradiance(receiver) / sum
+                             : 0.0;
+        }
+        case LightSample::Source::infinite:
+            return share.far * choose_far_->probability(std::size_t(index));
+    }
+    return 0.0;
 }
 
 bool LightSet::infinite_radiance(int i, Vec3 direction, const LaneSet& lanes, RgbLightLanes& rgb,

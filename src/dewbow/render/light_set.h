@@ -29,6 +29,7 @@ struct LightSample {
     double factor = 1.0;
     bool without_extent = false;
     Colour<LinearSrgb> colour{};  ///< of a surface that glows in colours
+    int primitive = -1;           ///< of a surface, as of a hit there
 };
 
 class LightSet {
@@ -65,6 +66,9 @@ public:
     const std::vector<InfiniteLight>& infinite() const { return infinite_; }
     /// Index into shapes() of a shape of the scene, or −1.
     int glowing_of(int shape) const { return glowing_of_shape_[std::size_t(shape)]; }
+
+    /// LightSample::pdf of a light without extent, wherever it shines on the receiver.
+    double pdf_of_choice(const Receiver& receiver, LightSample::Source source, int index) const;
 
     /// The lights that are infinitely far.
     int infinite_count() const { return int(infinite_.size()); }

@@ -103,4 +103,18 @@ double AimedEmission::density_of_infinite(int i, const Ray& camera_ray) const {
                       {camera_ray.origin, -camera_ray.direction, {}}, {});
 }
 
+double AimedEmission::density_of_sample(const LightSample& light, Vec3 receiver) const {
+    const bool afar = light.source == LightSample::Source::infinite;
+    const Ray ray{afar ? receiver : receiver + light.direction * light.distance,
+                  -light.direction,
+                  {-1, light.primitive, false}};
+    const auto lamp = std::size_t(maps_.of(light.source, light.index));
+    if (!light.without_extent) return density_of(lamp, ray, {});
+    std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
+    const int count = maps_[int(lamp)].places(ray, places);
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i) sum += places[std::size_t(i)].pdf;
+    return (edges_[lamp + 1] - edges_[lamp]) * sum;
+}
+
 }  // namespace dewbow::caustics

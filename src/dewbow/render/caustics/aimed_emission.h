@@ -45,6 +45,11 @@ public:
     /// @param i  number of the light among the infinitely far ones, which `camera_ray` leaves for.
     double density_of_infinite(int i, const Ray& camera_ray) const;
 
+    /// @param light  that direct light at `receiver` takes. Of light without extent it is what
+    /// sample() would do before it has learnt, in EmittedRay's units: numbers that such a light
+    /// does not look at tell what is learnt, too, and no ray tells them.
+    double density_of_sample(const LightSample& light, Vec3 receiver) const;
+
     // For training.
     /// What sample() does in two steps, so that there is more to learn from.
     struct Aim {

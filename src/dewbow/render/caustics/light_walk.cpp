@@ -5,6 +5,7 @@
 
 namespace dewbow::caustics {
 
+using walk::RoughGlass;
 using walk::Scatterer;
 using walk::SharedPath;
 
@@ -16,6 +17,7 @@ LightWalk::LightWalk(const PreparedScene& prepared, const LightPaths& light_path
 
 void LightWalk::run(const EmittedRay& emitted, MediaStack media) {
     emitted_ = &emitted;
+    density_ = emitted.pdf;
     SharedPath path = shared_start(emitted.ray, media);
     path.from_afar = emitted.source == LightSample::Source::infinite;
     light_paths_.emission.radiance(emitted, path.lanes, light_colours(), source_);
@@ -64,9 +66,8 @@ void LightWalk::splat(const SharedPath& path, const Scatterer& at, const Seen& s
         surface_at(path.lanes, prepared_.camera_media, y1, frame, at.material);
     LaneValues value;
     surface.eval(wi, value);
-    const double ratio =
-        emitted_->pdf * light_ratio(light_paths_, std::abs(cos_light), cos_camera,
-                                    seen.pixels_per_m2, surface.typical_density(wi));
+    const double ratio = density_ * light_ratio(light_paths_, std::abs(cos_light), cos_camera,
+                                                seen.pixels_per_m2, surface.typical_density(wi));
     const double factor =
         seen.pixels_per_m2 * cos_camera / std::abs(cos_light) * weight(path.note, ratio);
     for (int k = 0; k < path.lanes.count; ++k)
@@ -78,7 +79,44 @@ void LightWalk::splat(const SharedPath& path, const Scatterer& at, const Seen& s
 }
 
 double LightWalk::weight(double note, double ratio) const {
-    return emitted_->without_extent ? 1.0 : weight_of_light(ratio, note);
+    const double chance = emitted_->without_extent ? 0.0 : 1.0;
+    return weight_of_light(ratio, chance + note * note);
+}
+
+/// Where the lamp's ray first meets rough glass, camera paths take direct light too.
+void LightWalk::on_rough_turn(SharedPath& lane, const RoughGlass& at) {
+    if (!lane.sees_start()) return;
+    const Vertex vertex = vertex_from(prepared_, at.vertex.position, lane.ray.direction, at.hit);
+    const LocalFrame frame(vertex.shading);
+    const Vec3 wo = frame.to_local(vertex.wo);
+    const bool reflects = vertex.front == at.vertex.front;
+    const RoughDielectric seen(wo, at.alpha, reflects ? at.eta : 1.0 / at.eta);
+    const double chance = seen.eval(frame.to_local(at.vertex.wo)).pdf;
+    lane.note = density_of_direct(at.vertex.position) / chance;
+}
+
+/// With which direct light at `receiver` takes the lamp's ray backwards.
+double LightWalk::density_of_direct(Vec3 receiver) {
+    const LightSet& lights = prepared_.lights;
+    const EmittedRay& emitted = *emitted_;
+    const Vec3 direction = -emitted.ray.direction;
+    const Receiver from{receiver};
+    const double distance = length(emitted.ray.origin - receiver);
+    if (emitted.without_extent) {
+        const double choice = lights.pdf_of_choice(from, emitted.source, emitted.index);
+        LightSample sample{emitted.source, emitted.index, direction, distance, choice};
+        sample.without_extent = true;
+        density_ = light_paths_.emission.density_of_sample(sample, receiver);
+        return choice_by_extent(emitted.source, choice, distance);
+    }
+    if (emitted.source == LightSample::Source::infinite)
+        return lights.pdf_of_infinite(from, emitted.index, direction);
+    const GlowingShape& shape = lights.shapes()[std::size_t(emitted.index)];
+    Hit hit;
+    hit.t = distance;
+    hit.shape = emitted.ray.from.shape, hit.primitive = emitted.ray.from.primitive;
+    hit.normal = shape.normal_at(emitted.ray.origin, hit.primitive);
+    return lights.pdf_of_hit(from, direction, hit);
 }
 
 }  // namespace dewbow::caustics

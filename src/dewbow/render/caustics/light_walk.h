@@ -14,7 +14,7 @@ namespace dewbow::caustics {
 /// It carries the share of the lamp's light that is left at each lane; what the lamp gives, over
 /// the density of the ray, is put to it at the splat.
 ///
-/// A path's note is the density of next event over that of chance, for the lamp's ray (q of
+/// A path's note is the density of next event over that of chance at the lamp's end (q of
 /// weights.h).
 class LightWalk : public walk::PacketWalk {
 public:
@@ -29,12 +29,15 @@ private:
     bool on_scatterer(const walk::SharedPath& path, const walk::Scatterer& at) override;
     void splat(const walk::SharedPath& path, const walk::Scatterer& at);
     void splat(const walk::SharedPath& path, const walk::Scatterer& at, const Seen& seen);
+    void on_rough_turn(walk::SharedPath& lane, const walk::RoughGlass& at) override;
     double weight(double note, double ratio) const;
+    double density_of_direct(Vec3 receiver);
 
     const LightPaths& light_paths_;
     SplatList& splats_;
     const EmittedRay* emitted_ = nullptr;
-    LaneValues source_;  ///< what the lamp gives over the ray's density, by lane of the packet
+    double density_ = 0.0;  ///< of the lamp's ray, as weights take it
+    LaneValues source_;     ///< what the lamp gives over the ray's density, by lane of the packet
 };
 
 }  // namespace dewbow::caustics

@@ -55,9 +55,17 @@ inline double power_heuristic(double a, double b, double c = 0.0) {
     return a * a / (a * a + b * b + c * c);
 }
 
-/// That of a light path beside chance and next event, for any R.
-inline double weight_of_light(double ratio, double next_event = 0.0) {
-    return 1.0 / (1.0 + (1.0 + next_event * next_event) / (ratio * ratio));
+/// What the choice of a light without extent is compared as with R: what the densities of the
+/// choice and of the lamp's ray become for a small lamp is the same factor for both.
+/// @param distance  to the light, m.
+inline double choice_by_extent(LightSample::Source source, double choice, double distance) {
+    return source == LightSample::Source::punctual ? choice * distance * distance : choice;
+}
+
+/// That of a light path, for any ratio R.
+/// @param others  sum of the squares of the others' densities: 1 + q², or q² without extent.
+inline double weight_of_light(double ratio, double others) {
+    return 1.0 / (1.0 + others / (ratio * ratio));
 }
 
 }  // namespace dewbow::caustics

@@ -30,7 +30,7 @@ void CameraWalk::add(const SharedPath& path, const LaneValues& radiance, double 
 
 /// Whether light paths can find the light that the path has run into.
 bool CameraWalk::shared_with_light(const SharedPath& path) {
-    return path.note > 0.0 && path.last.specular;
+    return path.note > 0.0 && (path.last.specular || path.last.rough_glass);
 }
 
 /// @param next_event  density of direct light for the same direction; 0 if it cannot take it.
@@ -75,11 +75,22 @@ void CameraWalk::on_lamp(const SharedPath& path, const Hit& hit) {
     add(path, radiance, weight_of_chance(path, next_event, density));
 }
 
+/// @param chance  density of running into the light, per sr.
+double CameraWalk::weight_of_direct(const LightSample& light, Vec3 receiver, double chance,
+                                    double note) const {
+    const double by_light =
+        note > 0.0 ? chance * note * light_paths_->emission.density_of_sample(light, receiver)
+                   : 0.0;
+    if (!light.without_extent) return power_heuristic(light.pdf, chance, by_light);
+    return power_heuristic(caustics::choice_by_extent(light.source, light.pdf, light.distance), 0.0,
+                           by_light);
+}
+
 /// Direct light at `vertex`. `eval(wi, f)` gives BSDF × cosine at each lane and returns the density
-/// of the surface's own sampling.
+/// of the surface's own sampling.   @param note  the path's, if light paths may come this way.
 template <class Eval>
 void CameraWalk::direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides,
-                              Eval&& eval) {
+                              double note, Eval&& eval) {
     const std::uint32_t at = vertex_key(path.depth, path.branch);
     const std::optional<LightSample> light =
         prepared_.lights.sample(vertex.receiver(both_sides), key_.one(at, Purpose::light_choice),
@@ -96,13 +107,12 @@ void CameraWalk::direct_light(const SharedPath& path, const Vertex& vertex, bool
     for (int k = 0; k < path.lanes.count; ++k) radiance[k] *= f[k];
     // What is infinitely far is not absorbed, as where a path misses everything.
     if (std::isfinite(light->distance)) absorb(path.lanes, radiance, path.media, light->distance);
-    const double weight = light->without_extent ? 1.0 : power_heuristic(light->pdf, pdf);
-    add(path, radiance, weight / light->pdf);
+    add(path, radiance, weight_of_direct(*light, vertex.position, pdf, note) / light->pdf);
 }
 
 bool CameraWalk::on_scatterer(const SharedPath& path, const Scatterer& at) {
     const bool both_sides = ScatteringSurface::transmits(at.material);
-    direct_light(path, at.vertex, both_sides, [&](Vec3 direction, LaneValues& f) {
+    direct_light(path, at.vertex, both_sides, 0.0, [&](Vec3 direction, LaneValues& f) {
         const Vec3 wi = at.frame.to_local(direction);
         const bool above = dot(direction, at.vertex.geometric) > 0.0;
         return (wi.z > 0.0) == above ? at.surface.eval(wi, f) : 0.0;
@@ -112,7 +122,7 @@ bool CameraWalk::on_scatterer(const SharedPath& path, const Scatterer& at) {
 
 void CameraWalk::on_rough_glass(const SharedPath& lane, const RoughGlass& at) {
     SharedPath there = lane;
-    direct_light(there, at.vertex, true, [&](Vec3 direction, LaneValues& f) {
+    direct_light(there, at.vertex, true, lane.note, [&](Vec3 direction, LaneValues& f) {
         const Vec3 wi = at.frame.to_local(direction);
         const bool above = dot(direction, at.vertex.geometric) > 0.0;
         if ((wi.z > 0.0) != above) return 0.0;

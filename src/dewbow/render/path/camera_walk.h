@@ -37,7 +37,10 @@ private:
     double choice_of_lanes(const OpenPath& path) const override;
 
     template <class Eval>
-    void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, Eval&& eval);
+    void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, double note,
+                      Eval&& eval);
+    double weight_of_direct(const LightSample& light, Vec3 receiver, double chance,
+                            double note) const;
     static bool shared_with_light(const SharedPath& path);
     static double weight_of_chance(const SharedPath& path, double next_event, double density);
     void add(const SharedPath& path, const LaneValues& radiance, double weight);

@@ -185,14 +185,15 @@ void PacketWalk::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits
             refracted |= LaneMask(!boundary.none) << k;
             continue;
         }
-        const SharedPath lane = lane_of(path, k);
+        SharedPath lane = lane_of(path, k);
         const double alpha = alpha_of_roughness(inputs_at(vertex).number(glass.roughness));
         const LocalFrame frame(vertex.shading);
         const Vec3 wo = frame.to_local(vertex.wo);
         path.active &= ~(1u << k);
         if (wo.z <= 0.0) continue;
         const RoughDielectric surface(wo, alpha, eta[k]);
-        on_rough_glass(lane, {vertex, frame, glass, boundary, surface});
+        const RoughGlass met{hits[i], vertex, frame, glass, boundary, alpha, eta[k], surface};
+        on_rough_glass(lane, met);
         const std::optional<Vec3> wi = surface.sample(u, u_facet);
         if (!wi) continue;
         const bool reflects = wi->z > 0.0;
@@ -202,7 +203,10 @@ void PacketWalk::open_rough(OpenPath& path, LaneMask group, const HitLanes& hits
         if (!(value.pdf > 0.0)) continue;
         path.beta[k] *= value.f_cos / value.pdf * shading_factor(vertex, vertex.shading, direction);
         path.media[i] = reflects ? boundary.before : boundary.after;
-        path.rays.set(k, vertex.leave(direction));
+        lane.ray = vertex.leave(direction);
+        on_rough_turn(lane, met);
+        path.note[k] = lane.note;
+        path.rays.set(k, lane.ray);
         path.last[i] = {false, value.pdf, vertex.receiver(true), true};
         path.active |= 1u << k;
         refracted |= LaneMask(!reflects) << k;

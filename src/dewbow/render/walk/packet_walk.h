@@ -46,10 +46,12 @@ struct Scatterer {
 
 /// A rough boundary as one lane meets it.
 struct RoughGlass {
+    const Hit& hit;
     const Vertex& vertex;
     const LocalFrame& frame;
     const Dielectric& glass;
     const Boundary& boundary;
+    double alpha, eta;               ///< n of the far side over that of the near one
     const RoughDielectric& surface;  ///< in `frame`, seen from where the path comes from
 };
 
@@ -80,6 +82,8 @@ protected:
     virtual void on_scattered(SharedPath&, const Scatterer&, Vec3 /*wi*/) {}
     /// One lane met rough glass, and has not been turned yet.
     virtual void on_rough_glass(const SharedPath&, const RoughGlass&) {}
+    /// It goes on from there along its ray.
+    virtual void on_rough_turn(SharedPath&, const RoughGlass&) {}
     /// It ran into the glowing side of a surface that gives light.
     virtual void on_lamp(const SharedPath&, const Hit&) {}
     /// It ran into nothing.
