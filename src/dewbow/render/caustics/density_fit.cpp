@@ -23,7 +23,7 @@ constexpr double kLeastGain = 2e-5;
 /// So many times the gain that chance alone would show in observations of an even box.
 constexpr double kChance = 1.5;
 /// A box's mass is held to that of the box around it as if so many observations were of the latter.
-constexpr double kHeldBy = 0.5;
+constexpr double kHeldBy = 2.0;
 /// Masses are numbers of this size, so that even 2³¹ of them add up below 2⁶⁴.
 constexpr double kMassUnits = 0x1p32;
 

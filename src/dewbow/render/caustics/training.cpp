@@ -14,10 +14,14 @@ namespace {
 /// Each pass has twice as many paths as the one before.
 constexpr int kPasses = 4;
 constexpr std::int64_t kUnits = (1 << kPasses) - 1;  ///< 1 + 2 + 4 + 8
-constexpr std::int64_t kMostInFirstPass = 4096;
-/// With fewer nothing can be learnt.
-constexpr std::int64_t kLeastInFirstPass = 64;
-constexpr double kShareOfRender = 1.0 / 8.0;
+/// In the first pass. With fewer nothing can be learnt; most scenes have learnt what there is from
+/// the usual number; ten thousand beads have not, and long renders give them more.
+constexpr double kLeast = 64.0;
+constexpr double kUsual = 4096.0;
+constexpr double kMost = 16384.0;
+/// Of the light paths of a render: up to the usual number, and beyond.
+constexpr double kShare = 1.0 / 4.0;
+constexpr double kShareBeyond = 1.0 / 16.0;
 /// Paths that one thread traces in a row.
 constexpr std::int64_t kBlock = 256;
 /// No observation weighs more than the heaviest but one in so many: a few rare bright paths do not
@@ -110,12 +114,13 @@ private:
 
 TrainingReport train(AimedEmission& emission, std::uint64_t seed, double planned_paths,
                      const TraceForTraining& trace) {
-    const auto affordable = std::int64_t(std::min(planned_paths * kShareOfRender, 0x1p40)) / kUnits;
+    const double units = planned_paths / double(kUnits);
+    const double paths = std::clamp(kShareBeyond * units, std::min(kShare * units, kUsual), kMost);
     TrainingReport report;
-    if (emission.empty() || affordable < kLeastInFirstPass) return report;
+    if (emission.empty() || paths < kLeast) return report;
     Trainer trainer(emission, seed, trace);
-    std::int64_t paths = std::min(affordable, kMostInFirstPass);
-    for (int pass = 0; pass < kPasses; ++pass, paths *= 2) report.push_back(trainer.pass(paths));
+    for (int pass = 0; pass < kPasses; ++pass)
+        report.push_back(trainer.pass(std::int64_t(paths) << pass));
     return report;
 }
 

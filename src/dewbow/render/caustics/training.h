@@ -30,8 +30,8 @@ struct TrainingPass {
 /// render for learning to be worth it.
 using TrainingReport = std::vector<TrainingPass>;
 
-/// Teaches `emission`.   @param planned_paths  light paths of the render: learning takes at most an
-/// eighth of them.
+/// Teaches `emission`.   @param planned_paths  light paths of the render: learning takes at most a
+/// quarter as many, a sixteenth of long ones.
 TrainingReport train(AimedEmission& emission, std::uint64_t seed, double planned_paths,
                      const TraceForTraining& trace);
 
