@@ -13,6 +13,7 @@
 #include "checkpoint_file.h"
 #include "dewbow/base/progress.h"
 #include "dewbow/import/import.h"
+#include "dewbow/render/estimator_choice.h"
 #include "dewbow/render/film.h"
 #include "dewbow/spectrum/display.h"
 #include "dewbow/spectrum/wavelengths.h"
@@ -38,6 +39,9 @@ struct Slice {
     std::size_t number = 1, count = 1;
 };
 
+/// That of a command which names none.
+inline constexpr const char* kDefaultEstimator = "path";
+
 /// `dewbow render`. What is not set is as the scene says.
 struct RenderCommand {
     std::string scene_file;
@@ -58,7 +62,7 @@ struct RenderCommand {
     std::optional<int> spectral_bins;
     std::optional<int> max_depth;
     std::optional<WavelengthSampling> wavelengths;
-    std::string estimator;
+    std::string estimator = kDefaultEstimator;
     std::optional<Replay> replay;
     CheckpointWish checkpoint;
     ProgressStyle progress = ProgressStyle::automatic;

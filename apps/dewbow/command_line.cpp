@@ -55,13 +55,13 @@ Exit codes: 0 the scene can be rendered, 1 it cannot, 2 used wrongly.)";
 /// "path, the spectral path tracer; …"
 std::string estimators_described() {
     std::string text;
-    for (const EstimatorRow& row : estimators())
-        text += (text.empty() ? "" : "; ") + row.name + ", " + row.description;
-    return text;
+    for (const EstimatorRow& row : estimators()) text += row.name + ", " + row.description + "; ";
+    return text + "auto, path or caustics, by what a pilot of the scene tells. Default: " +
+           kDefaultEstimator;
 }
 
 std::vector<std::string> estimator_names() {
-    std::vector<std::string> names;
+    std::vector<std::string> names{kAutomaticEstimator};
     for (const EstimatorRow& row : estimators()) names.push_back(row.name);
     return names;
 }

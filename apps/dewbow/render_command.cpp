@@ -102,8 +102,8 @@ int replay(const RenderCommand& command, const Scene& scene) {
     film.observe([&](int, int, const PixelSample& sample, std::int64_t) {
         print_sample(command, scene, sample);
     });
-    const auto estimator = estimator_of(command).make(scene);
-    estimator->render({*options.crop, wish.sample, wish.sample + 1}, film);
+    estimator_of(command, scene)
+        .estimator->render({*options.crop, wish.sample, wish.sample + 1}, film);
     return kDone;
 }
 
@@ -221,14 +221,15 @@ int render_picture(const RenderCommand& command, const LoadedScene& loaded,
     const Scene& scene = loaded.scene;
     if (command.crop) check_crop(*command.crop, scene.film);
     SessionOptions options = session_options(command);
-    const auto estimator = estimator_of(command).make(scene);
-    check_memory_of(scene, options, *estimator);
+    const EstimatorChoice chosen = estimator_of(command, scene);
+    const Estimator& estimator = *chosen.estimator;
+    check_memory_of(scene, options, estimator);
     CheckpointFile checkpoint(command.checkpoint, paths.front());
     options.checkpoints = checkpoint.checkpoints();
     options.team = team;
-    RenderState state = checkpoint.begin(identity_of(command, loaded, options, *estimator));
+    RenderState state = checkpoint.begin(identity_of(command, loaded, options, chosen));
     if (command.slice) options.selects = units_of(*command.slice, state.plan.units_per_pass());
-    const SessionResult result = run_session(*estimator, options, state);
+    const SessionResult result = run_session(estimator, options, state);
     if (ranks && team->all_have_left()) ranks->close();
     warn_of_invalid_samples(state.film, scene, result);
     if (command.slice) return write_slice(command, paths, state, result, checkpoint);

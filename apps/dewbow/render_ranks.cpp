@@ -40,10 +40,9 @@ int work_as_other_rank(const RenderCommand& command, Ranks& ranks) {
         const LoadedScene loaded = load(command, true);
         const SessionOptions options = session_options(command);
         if (command.crop) check_crop(*command.crop, loaded.scene.film);
-        const auto estimator = estimator_of(command).make(loaded.scene);
-        parting =
-            work_for_rank_0(ranks.transport(), *estimator,
-                            identity_of(command, loaded, options, *estimator), thread_count());
+        const EstimatorChoice chosen = estimator_of(command, loaded.scene, true);
+        parting = work_for_rank_0(ranks.transport(), *chosen.estimator,
+                                  identity_of(command, loaded, options, chosen), thread_count());
     } catch (const InputError& error) {
         parting = say_bye(ranks.transport(), error.sentence());
     }

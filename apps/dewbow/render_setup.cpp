@@ -81,7 +81,7 @@ std::string replay_command(const RenderCommand& command) {
     if (command.wavelengths)
         text += *command.wavelengths == WavelengthSampling::visual ? " --wavelengths visual"
                                                                    : " --wavelengths uniform";
-    if (!command.estimator.empty()) text += " --estimator " + command.estimator;
+    if (command.estimator != kDefaultEstimator) text += " --estimator " + command.estimator;
     return text;
 }
 
@@ -96,10 +96,13 @@ LoadedScene load(const RenderCommand& command, bool silent) {
     return {std::move(imported.scene), scene_hash(options, record.hash())};
 }
 
-const EstimatorRow& estimator_of(const RenderCommand& command) {
+EstimatorChoice estimator_of(const RenderCommand& command, const Scene& scene, bool silent) {
     for (const EstimatorRow& row : estimators())
-        if (command.estimator.empty() || row.name == command.estimator) return row;
-    throw InputError("this program was built without estimators");
+        if (row.name == command.estimator) return {row, row.make(scene), {}};
+    EstimatorChoice choice = choose_estimator(scene);
+    if (!command.quiet && !silent)
+        print_message(fmt::format("estimator {}: {}", choice.row.name, choice.reason));
+    return choice;
 }
 
 void check_memory_of(const Scene& scene, const SessionOptions& options,
@@ -132,9 +135,9 @@ void check_crop(const PixelRect& crop, const Film& film) {
 }
 
 RenderIdentity identity_of(const RenderCommand& command, const LoadedScene& loaded,
-                           const SessionOptions& options, const Estimator& estimator) {
-    RenderIdentity identity = render_identity(loaded.scene, options, estimator_of(command),
-                                              loaded.hash, estimator.light_paths());
+                           const SessionOptions& options, const EstimatorChoice& chosen) {
+    RenderIdentity identity = render_identity(loaded.scene, options, chosen.row, loaded.hash,
+                                              chosen.estimator->light_paths());
     const Film& film = loaded.scene.film;
     identity.picture = text_of(PictureSettings{scene_name(command), loaded.scene.render.packet,
                                                film.white_luminance, film.exposure,

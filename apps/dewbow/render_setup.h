@@ -6,6 +6,7 @@
 #include <string>
 
 #include "command.h"
+#include "dewbow/render/estimator_choice.h"
 #include "dewbow/render/session.h"
 
 namespace dewbow {
@@ -25,8 +26,9 @@ LoadedScene load(const RenderCommand& command, bool silent = false);
 /// depends on.
 std::string replay_command(const RenderCommand& command);
 
-/// The row of --estimator.
-const EstimatorRow& estimator_of(const RenderCommand& command);
+/// What --estimator names, or what suits the scene; then it is said why.
+/// @param silent  it is not said
+EstimatorChoice estimator_of(const RenderCommand& command, const Scene& scene, bool silent = false);
 
 /// The name of its file, without folders.
 std::string scene_name(const RenderCommand& command);
@@ -39,6 +41,6 @@ void check_crop(const PixelRect& crop, const Film& film);
 void check_memory_of(const Scene& scene, const SessionOptions& options, const Estimator& estimator);
 
 RenderIdentity identity_of(const RenderCommand& command, const LoadedScene& loaded,
-                           const SessionOptions& options, const Estimator& estimator);
+                           const SessionOptions& options, const EstimatorChoice& chosen);
 
 }  // namespace dewbow

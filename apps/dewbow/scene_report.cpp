@@ -188,9 +188,11 @@ void Reporter::find_costs() {
     }
     for (const Light& light : scene_.lights) has_small_light |= is_small(light);
     if (has_body && has_matt && has_small_light)
-        cost("a small light, glass, and something matt",
-             "what the light sends through the glass (a caustic) is found by chance alone; of a "
-             "light without extent it is not found at all");
+        cost(
+            "a small light, glass, and something matt",
+            "what the light sends through the glass (a caustic) is found by light paths, which "
+            "--estimator auto adds where they pay; what is seen of it through glass or in a mirror "
+            "is found by chance alone, and of a light without extent not at all");
     constexpr std::size_t kManyLights = 100;
     const std::size_t lights = scene_.lights.size() + glowing_;
     if (lights > kManyLights)

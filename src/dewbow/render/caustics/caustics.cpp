@@ -8,65 +8,38 @@
 
 namespace dewbow {
 
-namespace {
-
 using caustics::EmittedRay;
+using caustics::LightPaths;
 
-class CausticsEstimator : public Estimator {
-public:
-    explicit CausticsEstimator(const Scene& scene)
-        : prepared_(scene),
-          emission_(prepared_),
-          lamp_media_(prepared_),
-          light_paths_{emission_, emission_.empty() ? 0.0 : paths_per_sample(scene)} {
-        if (scene.render.caustics.aimed) learn();
+struct CausticsEstimator::Prepared {
+    explicit Prepared(const Scene& of) : scene(of), emission(scene), lamp_media(scene) {
+        if (of.render.caustics.aimed && !emission.empty()) learn();
     }
 
-    void render(const Unit& unit, FilmSums& film) const override {
-        const caustics::LightPaths* shared = light_paths() > 0.0 ? &light_paths_ : nullptr;
-        for_each_sample(unit, prepared_.scene.render.seed, [&](int x, int y, std::int64_t i) {
-            film.add(x, y, trace_pixel_sample(prepared_, x, y, std::uint32_t(i), shared), i);
-        });
-    }
+    double pixels() const { return double(scene.scene.film.width) * scene.scene.film.height; }
+    LightPaths light_paths(double per_sample) const { return {emission, per_sample * pixels()}; }
 
-    double light_paths() const override {
-        return light_paths_.per_sample > 0.0 ? prepared_.scene.render.caustics.light_paths : 0.0;
-    }
-
-    void trace_light(const LightUnit& unit, SplatList& splats) const override {
-        const std::uint64_t seed = prepared_.scene.render.seed;
-        for (std::uint64_t path = unit.first_path; path < unit.end_path; ++path) {
-            const SampleKey key = light_path_key(seed, unit.pass, path);
-            if (const std::optional<EmittedRay> ray = emission_.sample(key))
-                trace(*ray, key, splats);
-        }
-    }
-
-private:
-    static double paths_per_sample(const Scene& scene) {
-        return scene.render.caustics.light_paths * scene.film.width * scene.film.height;
-    }
-
-    void trace(const EmittedRay& ray, const SampleKey& key, SplatList& splats) const {
-        const RenderSettings& settings = prepared_.scene.render;
+    void trace(const EmittedRay& ray, const SampleKey& key, const LightPaths& paths,
+               SplatList& splats) const {
+        const RenderSettings& settings = scene.scene.render;
         const WavelengthPacket packet =
             sample_wavelengths(settings.wavelengths, settings.packet,
                                key.one(0, Purpose::wavelength) / settings.packet);
         const bool afar = ray.source == LightSample::Source::infinite;
-        caustics::LightWalk(prepared_, light_paths_, packet, key, splats)
-            .run(ray, afar ? MediaStack{} : lamp_media_.along(ray.ray));
+        caustics::LightWalk(scene, paths, packet, key, splats)
+            .run(ray, afar ? MediaStack{} : lamp_media.along(ray.ray));
     }
 
     void learn() {
-        const Scene& scene = prepared_.scene;
+        const RenderSettings& settings = scene.scene.render;
+        const LightPaths paths = light_paths(settings.caustics.light_paths);
         FilmLayout whole;
-        whole.width = scene.film.width, whole.height = scene.film.height;
+        whole.width = scene.scene.film.width, whole.height = scene.scene.film.height;
         whole.crop = {0, 0, whole.width, whole.height};
-        caustics::train(emission_, scene.render.seed,
-                        light_paths_.per_sample * scene.render.samples_per_pixel,
+        caustics::train(emission, settings.seed, paths.per_sample * settings.samples_per_pixel,
                         [&](const EmittedRay& ray, const SampleKey& key) {
                             SplatList splats(whole);
-                            trace(ray, key, splats);
+                            trace(ray, key, paths, splats);
                             double squares = 0.0;
                             for (const Splat& splat : splats.splats())
                                 squares += double(splat.xyz[1]) * splat.xyz[1];
@@ -74,13 +47,43 @@ private:
                         });
     }
 
-    PreparedScene prepared_;
-    caustics::AimedEmission emission_;
-    caustics::LampMedia lamp_media_;
-    caustics::LightPaths light_paths_;
+    PreparedScene scene;
+    caustics::AimedEmission emission;
+    caustics::LampMedia lamp_media;
 };
 
-}  // namespace
+CausticsEstimator::CausticsEstimator(const Scene& scene)
+    : CausticsEstimator(std::make_shared<const Prepared>(scene),
+                        scene.render.caustics.light_paths) {}
+
+CausticsEstimator::CausticsEstimator(std::shared_ptr<const Prepared> prepared, double light_paths)
+    : prepared_(std::move(prepared)),
+      light_paths_(prepared_->emission.empty() ? 0.0 : light_paths) {}
+
+CausticsEstimator CausticsEstimator::with_share_of_light_paths(double share) const {
+    return {prepared_, share * light_paths_};
+}
+
+void CausticsEstimator::render(const Unit& unit, FilmSums& film) const {
+    const PreparedScene& prepared = prepared_->scene;
+    const LightPaths paths = prepared_->light_paths(light_paths_);
+    const LightPaths* shared = light_paths_ > 0.0 ? &paths : nullptr;
+    for_each_sample(unit, prepared.scene.render.seed, [&](int x, int y, std::int64_t i) {
+        film.add(x, y, trace_pixel_sample(prepared, x, y, std::uint32_t(i), shared), i);
+    });
+}
+
+double CausticsEstimator::light_paths() const { return light_paths_; }
+
+void CausticsEstimator::trace_light(const LightUnit& unit, SplatList& splats) const {
+    const LightPaths paths = prepared_->light_paths(light_paths_);
+    const std::uint64_t seed = prepared_->scene.scene.render.seed;
+    for (std::uint64_t path = unit.first_path; path < unit.end_path; ++path) {
+        const SampleKey key = light_path_key(seed, unit.pass, path);
+        if (const std::optional<EmittedRay> ray = prepared_->emission.sample(key))
+            prepared_->trace(*ray, key, paths, splats);
+    }
+}
 
 std::unique_ptr<Estimator> make_caustics_estimator(const Scene& scene) {
     return std::make_unique<CausticsEstimator>(scene);

@@ -11,7 +11,28 @@
 
 namespace dewbow {
 
-/// `scene` must outlive the estimator. Where no lamp shines on a caster it is `path`, bit by bit.
+/// Where no lamp shines on a caster it is `path`, bit by bit.
+class CausticsEstimator : public Estimator {
+public:
+    /// `scene` must outlive the estimator.
+    explicit CausticsEstimator(const Scene& scene);
+
+    void render(const Unit& unit, FilmSums& film) const override;
+    double light_paths() const override;
+    void trace_light(const LightUnit& unit, SplatList& splats) const override;
+
+    /// The same lamps and the same aim, with weights as though there were `share` times as many
+    /// light paths. @param share  above 0.
+    CausticsEstimator with_share_of_light_paths(double share) const;
+
+private:
+    struct Prepared;
+    CausticsEstimator(std::shared_ptr<const Prepared> prepared, double light_paths);
+
+    std::shared_ptr<const Prepared> prepared_;
+    double light_paths_;  ///< for each sample of each pixel
+};
+
 std::unique_ptr<Estimator> make_caustics_estimator(const Scene& scene);
 std::string caustics_settings(const RenderSettings& settings);
 
