@@ -152,8 +152,8 @@ TEST(LightSession, AnInterruptedPictureIsAsBrightAsAWholeOne) {
 TEST(LightSession, EveryCheckpointIsARenderThatCanBeResumed) {
     const ThreadsGuard guard;
     set_thread_count(4);
-    constexpr std::int64_t kMany = 80;
-    constexpr std::size_t kStates = 8;
+    constexpr std::int64_t kMany = 40;
+    constexpr std::size_t kStates = 4;
     std::vector<std::string> kept;
     SessionOptions options;
     options.checkpoints =
@@ -163,7 +163,7 @@ TEST(LightSession, EveryCheckpointIsARenderThatCanBeResumed) {
                         write([&](std::string_view piece) {
                             bytes += piece;
                             // A slow disk: units are handed in while a state is written.
-                            std::this_thread::sleep_for(std::chrono::microseconds(100));
+                            std::this_thread::sleep_for(std::chrono::microseconds(50));
                         });
                         kept.push_back(std::move(bytes));
                     }};

@@ -71,6 +71,38 @@ const Attribute* find_fact(const Attributes& facts, std::string_view name) {
     return nullptr;
 }
 
+TEST_F(Output, WhatLightPathsBroughtIsALayerAndAPartOfThePicture) {
+    const Scene scene = scene_of(2);
+    FilmSums film = grey_film(scene, {});
+    const Image before = image_from_film(film, scene.film);
+    EXPECT_EQ(before.find("caustics.R"), nullptr);
+    // Of 5 paths one brings the spectrum 2 to pixel (3, 1): 0.4.
+    SplatList splats(film.layout());
+    for (int i = 0; i < 256; ++i) {
+        const WavelengthPacket packet =
+            sample_wavelengths(WavelengthSampling::visual, 8, (i + 0.5) / 256);
+        LaneValues values;
+        for (int k = 0; k < 8; ++k) values[k] = 2.0;
+        splats.add(3, 1, 1.0 / 256, SplatLight(packet, LaneSet::all(packet), values));
+    }
+    film.add_splats(splats, 5);
+    const Image image = image_from_film(film, scene.film);
+    constexpr double kWavelengths = 2e-3;  // 2048 of them stand for the spectrum
+    // Equal energy is no grey under D65: its luminance is what is 0.4.
+    const auto luminance = [&](const std::string& layer, std::size_t pixel) {
+        const auto value = [&](const char* channel) {
+            return double(image.find(layer + channel)->values[pixel]);
+        };
+        return 0.2126 * value("R") + 0.7152 * value("G") + 0.0722 * value("B");
+    };
+    EXPECT_NEAR(luminance("caustics.", 8 + 3), 0.4, kWavelengths);
+    EXPECT_NEAR(luminance("", 8 + 3), level_at(3, 1) + 0.4, kWavelengths);
+    EXPECT_EQ(luminance("caustics.", 8 + 4), 0.0);
+    for (const char* channel : {"R", "A", "Z", "albedo.G"})
+        EXPECT_EQ(image.find(channel)->values[8 + 4], before.find(channel)->values[8 + 4]);
+    EXPECT_NEAR(film.bin(3, 1, 0), level_at(3, 1) + 0.4, 0.02);
+}
+
 TEST_F(Output, TheImageHasEveryLayer) {
     const Scene scene = scene_of(2);
     SessionOptions options;

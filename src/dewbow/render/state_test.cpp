@@ -10,6 +10,7 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/base/random.h"
+#include "dewbow/render/spark_estimator.h"
 
 namespace dewbow {
 namespace {
@@ -22,6 +23,7 @@ RenderIdentity small_identity() {
     identity.seed = 7;
     identity.samples_per_pixel = 10;  // 3 passes
     identity.film = {40, 30, {3, 5, 37, 28}, 2, -3};
+    identity.light_paths = 3.0;  // two light units a pass, beside six tiles
     identity.fingerprint = "this one";
     return identity;
 }
@@ -42,7 +44,17 @@ PixelSample sample_at(int x, int y, std::int64_t index) {
     return sample;
 }
 
+void trace_light(RenderState& state, std::size_t pass, std::size_t number) {
+    const LightUnit unit = state.plan.light_unit(pass, number);
+    SplatList splats(state.film.layout());
+    SparkEstimator(40, 30, state.identity.light_paths).trace_light(unit, splats);
+    splats.add_invalid(std::int64_t(number));
+    state.film.add_splats(splats, unit.paths());
+    state.plan.set_finished(pass, number);
+}
+
 void render(RenderState& state, std::size_t pass, std::size_t tile) {
+    if (state.plan.is_light(tile)) return trace_light(state, pass, tile);
     const Unit unit = state.plan.unit(pass, tile);
     for (int y = unit.tile.y0; y < unit.tile.y1; ++y)
         for (int x = unit.tile.x0; x < unit.tile.x1; ++x)
@@ -56,7 +68,8 @@ using UnitNumber = std::pair<std::size_t, std::size_t>;
 std::vector<UnitNumber> all_units(const UnitPlan& plan) {
     std::vector<UnitNumber> units;
     for (std::size_t pass = 0; pass < plan.passes(); ++pass)
-        for (std::size_t tile = 0; tile < plan.tiles(); ++tile) units.emplace_back(pass, tile);
+        for (std::size_t unit = 0; unit < plan.units_per_pass(); ++unit)
+            units.emplace_back(pass, unit);
     return units;
 }
 
@@ -100,6 +113,7 @@ TEST(State, SlicesAddUpToTheWholeInAnyOrder) {
         EXPECT_EQ(sum.plan.finished_units(), sum.plan.units());
         EXPECT_EQ(sum.film.fingerprint(), whole.film.fingerprint());
         EXPECT_EQ(sum.film.first_invalid(), whole.film.first_invalid());
+        EXPECT_EQ(sum.film.light_paths(), 3u * 40 * 30 * 10);
         EXPECT_EQ(sum.plan.finished_samples(), sum.film.crop().area() * 10);
     }
 }
@@ -119,9 +133,9 @@ TEST(State, PartlyOverlappingUnitsAreRefused) {
     const std::uint64_t hash = sum.film.fingerprint();
     const std::string message =
         message_of([&] { add_state(sum, "a.dewbow", every(3, 0), "b.dewbow"); });
-    // Of 18 units, 9 are even, 6 are divisible by 3 and 3 by 6.
+    // Of 24 units, 12 are even, 8 are divisible by 3 and 4 by 6.
     EXPECT_EQ(message.substr(0, message.find('\n')),
-              "b.dewbow: it holds 6 of 18 units, and 3 of these are in a.dewbow already");
+              "b.dewbow: it holds 8 of 24 units, and 4 of these are in a.dewbow already");
     EXPECT_EQ(sum.film.fingerprint(), hash);
     EXPECT_EQ(sum.plan, every(2, 0).plan);
 }
@@ -149,6 +163,7 @@ TEST(State, EveryDifferenceIsNamedWithBothValues) {
     told([](auto& b) { b.film.spectral_bins = 3; }, {"bins", "2 in ONE", "3 in TWO"});
     told([](auto& b) { b.film.reference_exponent = 2; }, {"exponent", "-3 in ONE", "2 in TWO"});
     told([](auto& b) { b.tile_side = 8; }, {"tile", "16 in ONE", "8 in TWO"});
+    told([](auto& b) { b.light_paths = 1.5; }, {"light paths", "3 in ONE", "1.5 in TWO"});
     told([](auto& b) { b.samples_per_pass = 8; }, {"pass", "4 in ONE", "8 in TWO"});
     told([](auto& b) { b.fingerprint = "that"; }, {"this one in ONE", "that in TWO"});
 }
@@ -165,6 +180,8 @@ void expect_equal(const RenderState& a, const RenderState& b) {
     EXPECT_EQ(mismatch(a.identity, "a", b.identity, "b"), std::nullopt);
     EXPECT_EQ(a.plan, b.plan);
     EXPECT_EQ(a.film.fingerprint(), b.film.fingerprint());
+    EXPECT_EQ(a.film.light_paths(), b.film.light_paths());
+    EXPECT_EQ(a.film.invalid_samples(), b.film.invalid_samples());
     EXPECT_EQ(a.seconds, b.seconds);
 }
 
@@ -182,6 +199,20 @@ TEST(State, AWholePassCanBeOneUnit) {
     EXPECT_EQ(state.plan.tiles(), 1u);
     render(state, 1, 0);
     expect_equal(state_from_bytes(state_bytes(state), "memory"), state);
+}
+
+/// It takes nothing but the word that says how many blocks there are: none.
+TEST(State, WithoutLightPathsThereAreNoSplatsInIt) {
+    RenderIdentity without = small_identity();
+    without.light_paths = 0.0;
+    RenderState state(without);
+    render(state, 0, 0);
+    EXPECT_EQ(state.plan.units(), 18u);
+    EXPECT_EQ(state.film.light_paths(), 0u);
+    expect_equal(state_from_bytes(state_bytes(state), "memory"), state);
+    const RenderState with = every(5, 2);  // a pixel takes 64 bytes, and 8 for each of two bins
+    EXPECT_GT(with.film.splats().touched_blocks(), 0u);
+    EXPECT_GT(state_bytes(with).size(), state_bytes(state).size() + 34 * 23 * (64 + 2 * 8));
 }
 
 // ---- damage ------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <tuple>
@@ -56,14 +57,66 @@ TEST(UnitPlan, MillionsOfPassesTakeNoMemory) {
     EXPECT_FALSE(plan.finished(plan.passes() - 2, 7));
 }
 
-/// A plan of 5 passes of 9 tiles, of which units are finished with that probability.
+TEST(UnitPlan, CoversEveryLightPathOnce) {
+    // 10 samples of 40 × 40 pixels, of which some are rendered: 3 passes, the last one of 2
+    // samples.
+    for (const double paths_per_sample : {12.7, 1.0, 0.3 / 6400}) {
+        const double light_paths = paths_per_sample * 1600;
+        UnitPlan plan({3, 5, 20, 40}, 10, kTileSide, light_paths);
+        for (std::size_t pass = 0; pass < plan.passes(); ++pass) {
+            const double paths = light_paths * (pass < 2 ? 4 : 2);
+            std::uint64_t next = 0;
+            for (std::size_t n = plan.tiles(); n < plan.units_per_pass(); ++n) {
+                EXPECT_TRUE(plan.is_light(n));
+                const LightUnit unit = plan.light_unit(pass, n);
+                EXPECT_EQ(unit.pass, pass);
+                EXPECT_EQ(unit.first_path, next);
+                EXPECT_LE(unit.paths(), kLightPathsPerUnit);
+                next = unit.end_path;
+            }
+            EXPECT_EQ(next, std::uint64_t(std::max(std::llround(paths), 1LL)));
+        }
+    }
+    const UnitPlan without({0, 0, 40, 40}, 10);
+    EXPECT_EQ(without.light_units(), 0u);
+    EXPECT_EQ(without.finished_light_paths(), 0u);
+}
+
+TEST(UnitPlan, CountsTheLightPathsThatAreFinished) {
+    UnitPlan plan({0, 0, 40, 40}, 10, kTileSide, 20000.0);  // 10 light units, 3 passes
+    std::vector<std::pair<std::size_t, std::size_t>> units;
+    for (std::size_t pass = 0; pass < plan.passes(); ++pass)
+        for (std::size_t n = 0; n < plan.units_per_pass(); ++n) units.emplace_back(pass, n);
+    std::mt19937 engine(4);
+    std::shuffle(units.begin(), units.end(), engine);
+    std::uint64_t paths = 0;
+    std::int64_t samples = 0;
+    for (const auto& [pass, n] : units) {
+        plan.set_finished(pass, n);
+        if (plan.is_light(n)) {
+            paths += plan.light_unit(pass, n).paths();
+        } else {
+            const Unit unit = plan.unit(pass, n);
+            samples += unit.tile.area() * (unit.end_sample - unit.first_sample);
+        }
+        ASSERT_EQ(plan.finished_light_paths(), paths);
+        ASSERT_EQ(plan.finished_samples(), samples);
+    }
+    EXPECT_EQ(plan.first_open_pass(), 3u);
+    EXPECT_EQ(paths, 200000u);
+}
+
+/// 5 passes of 9 tiles and 2 light units.
+UnitPlan untouched_plan() { return UnitPlan({0, 0, 40, 40}, 20, kTileSide, 4000.0); }
+
+/// That plan, of which units are finished with that probability.
 UnitPlan random_plan(std::mt19937& engine, double probability) {
-    UnitPlan plan({0, 0, 40, 40}, 20);
+    UnitPlan plan = untouched_plan();
     std::bernoulli_distribution finished(probability);
     for (std::size_t pass = 0; pass < plan.passes(); ++pass) {
         const bool whole = engine() % 3 == 0;
-        for (std::size_t tile = 0; tile < plan.tiles(); ++tile)
-            if (whole || finished(engine)) plan.set_finished(pass, tile);
+        for (std::size_t unit = 0; unit < plan.units_per_pass(); ++unit)
+            if (whole || finished(engine)) plan.set_finished(pass, unit);
     }
     return plan;
 }
@@ -74,8 +127,8 @@ TEST(UnitPlan, CountsWhatItHasInCommonWithAnother) {
         const UnitPlan a = random_plan(engine, 0.3), b = random_plan(engine, 0.6);
         std::size_t common = 0;
         for (std::size_t pass = 0; pass < a.passes(); ++pass)
-            for (std::size_t tile = 0; tile < a.tiles(); ++tile)
-                common += a.finished(pass, tile) && b.finished(pass, tile);
+            for (std::size_t unit = 0; unit < a.units_per_pass(); ++unit)
+                common += a.finished(pass, unit) && b.finished(pass, unit);
         EXPECT_EQ(a.common_units(b), common);
         EXPECT_EQ(b.common_units(a), common);
     }
@@ -84,9 +137,9 @@ TEST(UnitPlan, CountsWhatItHasInCommonWithAnother) {
 TEST(UnitPlan, TakesOverWhatItLacks) {
     std::mt19937 engine(8);
     for (int repeat = 0; repeat < 200; ++repeat) {
-        UnitPlan a({0, 0, 40, 40}, 20), b = a, both = a;
+        UnitPlan a = untouched_plan(), b = a, both = a;
         for (std::size_t pass = 0; pass < a.passes(); ++pass)
-            for (std::size_t tile = 0; tile < a.tiles(); ++tile) {
+            for (std::size_t tile = 0; tile < a.units_per_pass(); ++tile) {
                 const auto kind = engine() % (1 + pass);
                 if (kind == 2) continue;
                 (kind == 0 ? a : b).set_finished(pass, tile);
@@ -96,6 +149,7 @@ TEST(UnitPlan, TakesOverWhatItLacks) {
         EXPECT_EQ(a, both);
         EXPECT_EQ(a.finished_units(), both.finished_units());
         EXPECT_EQ(a.finished_samples(), both.finished_samples());
+        EXPECT_EQ(a.finished_light_paths(), both.finished_light_paths());
     }
 }
 
@@ -124,7 +178,7 @@ TEST(UnitPlan, ComesBackFromItsBytes) {
             plan.append_bytes(text);
             return text;
         }());
-        UnitPlan back({0, 0, 40, 40}, 20);
+        UnitPlan back = untouched_plan();
         back.read_bytes(bytes);
         EXPECT_EQ(back, plan);
         EXPECT_EQ(back.finished_units(), plan.finished_units());

@@ -29,6 +29,22 @@ TEST(Dealer, DealsEveryOpenUnitOnce) {
     EXPECT_EQ(dealer.dealt_again(), 0u);
 }
 
+TEST(Dealer, DealsLightUnitsOneByOne) {
+    UnitPlan plan(kPicture, 130, kTileSide, 5000.0);  // 15 tiles and 3 light units
+    ASSERT_EQ(plan.light_units(), 3u);
+    for (const std::size_t pass : {0u, 5u, 6u, 32u}) plan.set_finished(pass, 15 + pass % 3);
+    Dealer dealer(plan);
+    dealer.join(0, 2);
+    dealer.join(1, 3);
+    for (int turn = 0; const auto lease = dealer.deal(turn % 2, 0.0); ++turn) {
+        for (const UnitRun& run : lease->runs)
+            EXPECT_TRUE(!plan.is_light(run.number) || run.units() == 1);
+        finish(*lease, plan, dealer);
+    }
+    EXPECT_EQ(plan.finished_units(), plan.units());
+    EXPECT_EQ(dealer.dealt_again(), 0u);
+}
+
 TEST(Dealer, SendsManyPassesOfATileAsOne) {
     UnitPlan plan(kPicture, 4096);  // 1024 passes of 15 tiles
     Dealer dealer(plan);

@@ -13,6 +13,7 @@
 #include "dewbow/render/farm/lease_work.h"
 #include "dewbow/render/farm/team.h"
 #include "dewbow/render/farm/worker.h"
+#include "dewbow/render/spark_estimator.h"
 
 namespace dewbow {
 namespace {
@@ -54,7 +55,8 @@ RenderIdentity identity() {
 }
 
 struct Picture {
-    RenderState state{identity()};
+    explicit Picture(RenderIdentity of = identity()) : state(std::move(of)) {}
+    RenderState state;
     LiveState live{state};
     std::size_t finished() const { return state.plan.finished_units(); }
     std::size_t units() const { return state.plan.units(); }
@@ -279,6 +281,76 @@ TEST(LeaseWork, RefusesUnitsThatAreFinishedAndPixelsOfAnotherSize) {
     EXPECT_THROW(check(elsewhere), InputError);
 
     add_pieces(result, picture.state.plan, kLayout, picture.live);
+    EXPECT_THROW(check(result), InputError);
+}
+
+// ---- with light paths --------------------------------------------------------------------------
+
+SparkEstimator sparks() {
+    SparkEstimator estimator(kLayout.width, kLayout.height, 1.0);  // 11200 paths a pass: 2 units
+    estimator.invalid_share = 0.001;
+    return estimator;
+}
+
+RenderIdentity identity_of_sparks() {
+    RenderIdentity of = identity();
+    of.light_paths = sparks().light_paths();
+    return of;
+}
+
+RankBody sparkling_rank(int letters = 1 << 30) {
+    return [letters](InProcessTransport& transport) {
+        transport.letters_of_its_life = letters;
+        constexpr double kSilence = 1.0;  // s: one that is dead hears no more, and ends
+        work_for_rank_0(transport, sparks(), identity_of_sparks(), 1, kSilence);
+    };
+}
+
+TEST(LightTeam, AnyNumberOfRanksGivesTheSameFilm) {
+    const SparkEstimator estimator = sparks();
+    const FilmSums expected = undivided_film(estimator, kLayout, kSamples, kSamplesPerPass);
+    const std::vector<std::vector<RankBody>> teams{
+        {},
+        {sparkling_rank(), sparkling_rank()},
+        {sparkling_rank(2), sparkling_rank()},  // one dies with its leases
+        {sparkling_rank(5), sparkling_rank()}};
+    for (const std::vector<RankBody>& others : teams) {
+        Picture picture(identity_of_sparks());
+        render_with(others, picture, {.estimator = estimator});
+        EXPECT_EQ(picture.finished(), picture.units());
+        EXPECT_EQ(picture.state.film.fingerprint(), expected.fingerprint()) << others.size();
+        EXPECT_EQ(picture.state.film.invalid().splats, expected.invalid().splats);
+    }
+    EXPECT_GT(expected.invalid().splats, 0);
+}
+
+TEST(LightTeam, RanksRenderAllOfIt) {
+    const SparkEstimator estimator = sparks();
+    Picture picture(identity_of_sparks());
+    const Outcome outcome =
+        render_with({sparkling_rank()}, picture, {.estimator = estimator, .threads_of_rank_0 = 0});
+    EXPECT_EQ(outcome.report.units_of_rank[1], picture.units());
+    EXPECT_EQ(picture.state.film.fingerprint(),
+              undivided_film(estimator, kLayout, kSamples, kSamplesPerPass).fingerprint());
+}
+
+TEST(LeaseWork, RefusesSplatsThatCannotBe) {
+    Picture picture(identity_of_sparks());
+    const UnitPlan& plan = picture.state.plan;
+    const Lease lease{0, {{plan.tiles() + 1, 2, 3}}};
+    const message::Result result =
+        render_lease(lease, sparks(), plan, kLayout, [] { return false; });
+    const auto check = [&](const message::Result& r) { check_pieces(r, plan, kLayout); };
+    EXPECT_NO_THROW(check(result));
+    message::Result longer = result;
+    longer.pieces[0].sums += "x";
+    EXPECT_THROW(check(longer), InputError);
+    message::Result elsewhere = result;
+    elsewhere.pieces[0].run.number = 0;  // a tile
+    EXPECT_THROW(check(elsewhere), InputError);
+    elsewhere.pieces[0].run.number = plan.units_per_pass();
+    EXPECT_THROW(check(elsewhere), InputError);
+    add_pieces(result, plan, kLayout, picture.live);
     EXPECT_THROW(check(result), InputError);
 }
 
