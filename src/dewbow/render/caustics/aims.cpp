@@ -10,8 +10,8 @@ namespace {
 
 /// Rays begin this much farther out than the farthest thing, as a share of its distance.
 constexpr double kFartherOut = 0.01;
-/// Looks at one pair of lamp and group, and about how many at all of them: a second.
-constexpr std::size_t kMostLooks = 64, kLeastLooks = 4, kLooksInAll = 1'000'000;
+/// Looks at one pair of lamp and group, and about how many at all of them: half a second.
+constexpr std::size_t kMostLooks = 64, kLeastLooks = 2, kLooksInAll = 250'000;
 
 }  // namespace
 
@@ -35,8 +35,7 @@ Vec3 Outside::before(Vec3 point, Vec3 direction) const {
 }
 
 Aims::Aims(const Scene& scene, const Casters& casters, std::size_t lamps)
-    : groups(casters.groups()), outside(scene) {
-    for (const CasterBounds& group : groups) around.push_back(group.ball());
+    : groups(casters.groups()), index(casters.groups()), outside(scene) {
     const std::size_t pairs = std::max<std::size_t>(1, lamps * groups.size());
     looks = int(std::clamp(kLooksInAll / pairs, kLeastLooks, kMostLooks));
 }

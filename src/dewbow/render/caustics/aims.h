@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dewbow/render/caustics/casters.h"
+#include "dewbow/render/caustics/group_index.h"
 
 namespace dewbow::caustics {
 
@@ -28,7 +29,7 @@ struct Aims {
     Aims(const Scene& scene, const Casters& casters, std::size_t lamps);
 
     const std::vector<CasterBounds>& groups;
-    std::vector<Ball> around;  ///< one a group
+    GroupIndex index;
     Outside outside;
     /// Rays that are looked at for each lamp and group, to tell what the one sends to the other.
     int looks;

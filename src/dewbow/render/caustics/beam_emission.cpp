@@ -20,21 +20,17 @@ BeamEmission::BeamEmission(const Beam& beam, int index, const Aims& aims)
         by_group_.push_back(smaller);
         all += smaller ? 1.0 / entry->pdf : area;
     }
-    one_ = all >= area && !groups().empty();
-    if (one_) by_group_.assign(1, false);
-    weigh(int(by_group_.size()), std::vector<bool>(by_group_.size(), false), brightness_ * area);
+    if (all >= area && !groups().empty()) by_group_.assign(1, false);
+    weigh(by_group_.size(), std::vector<bool>(by_group_.size(), false), brightness_ * area);
 }
 
 Vec3 BeamEmission::start_of(Vec3 point) const {
     return point - beam_.direction.v * dot(point - disc_.centre, beam_.direction.v);
 }
 
-/// Whether the beam's ray from `start` is one, and meets the target.
-bool BeamEmission::carries(int target, Vec3 start) const {
+bool BeamEmission::carries(Vec3 start) const {
     const Vec3 aside = start - disc_.centre;
-    if (dot(aside, aside) > disc_.radius * disc_.radius) return false;
-    return one_ ? meets_any(start, beam_.direction.v)
-                : groups()[std::size_t(target)].met_by(start, beam_.direction.v);
+    return dot(aside, aside) <= disc_.radius * disc_.radius;
 }
 
 std::optional<EmittedRay> BeamEmission::towards(int target, const std::array<double, 4>& u) const {
@@ -44,13 +40,13 @@ std::optional<EmittedRay> BeamEmission::towards(int target, const std::array<dou
                            : CasterBounds(disc_).enter(direction, {u[0], u[1]});
     if (!entry) return std::nullopt;
     const Vec3 start = start_of(entry->point);
-    if (!carries(target, start)) return std::nullopt;
+    if (!carries(start)) return std::nullopt;
     return lit({start, direction, {}}, entry->pdf, true);
 }
 
 std::optional<EmissionMap::Place> BeamEmission::place_towards(int target, const Ray& ray) const {
     const Vec3 start = start_of(ray.origin);
-    if (!carries(target, start)) return std::nullopt;
+    if (!carries(start)) return std::nullopt;
     const auto place = by_group_[std::size_t(target)]
                            ? groups()[std::size_t(target)].entry_of(start, beam_.direction.v)
                            : CasterBounds(disc_).entry_of(start, beam_.direction.v);

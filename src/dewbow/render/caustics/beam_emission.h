@@ -20,13 +20,14 @@ private:
 
     /// The point of the disc's plane from which the line through `point` comes.
     Vec3 start_of(Vec3 point) const;
-    bool carries(int target, Vec3 start) const;
+    bool carries(Vec3 start) const;
 
     const BeamLight& beam_;
     Ball disc_;  ///< centre and radius
     double brightness_;
-    bool one_ = false;            ///< the disc is smaller than the targets: it is the only one
-    std::vector<bool> by_group_;  ///< one a target: whether its own silhouette is smaller
+    /// One a target: whether its own silhouette is smaller than the disc. Where the disc is smaller
+    /// than all of them it is the only one.
+    std::vector<bool> by_group_;
 };
 
 }  // namespace dewbow::caustics

@@ -103,20 +103,26 @@ std::optional<SquarePlace> entry_into(const EndlessPlane& plane, Vec3 origin, Ve
                        plane_density(plane, std::hypot(below.x, below.y)) / std::abs(cosine)};
 }
 
-bool meets(const OrientedBox& box, Vec3 origin, Vec3 direction) {
+std::optional<CasterBounds::Crossing> cross(const OrientedBox& box, Vec3 origin, Vec3 direction) {
     const auto pass = passage(box, box.to_local(origin - box.centre), box.to_local(direction));
-    return pass && pass->t_out > 0.0;
+    if (!pass) return std::nullopt;
+    return CasterBounds::Crossing{pass->t_in, pass->t_out};
 }
-bool meets(const Ball& ball, Vec3 origin, Vec3 direction) {
+std::optional<CasterBounds::Crossing> cross(const Ball& ball, Vec3 origin, Vec3 direction) {
     const Vec3 to_centre = ball.centre - origin;
     const double along = dot(to_centre, direction);
     const Vec3 aside = to_centre - direction * along;
-    const double beside2 = ball.radius * ball.radius - dot(aside, aside);
-    return beside2 >= 0.0 && along + std::sqrt(beside2) > 0.0;
+    const double half2 = ball.radius * ball.radius - dot(aside, aside);
+    if (half2 < 0.0) return std::nullopt;
+    const double half = std::sqrt(half2);
+    return CasterBounds::Crossing{along - half, along + half};
 }
-bool meets(const EndlessPlane& plane, Vec3 origin, Vec3 direction) {
-    const double height = dot(origin - plane.point, plane.normal);
-    return height * dot(direction, plane.normal) < 0.0;
+std::optional<CasterBounds::Crossing> cross(const EndlessPlane& plane, Vec3 origin,
+                                            Vec3 direction) {
+    const double slope = dot(direction, plane.normal);
+    if (slope == 0.0) return std::nullopt;
+    const double t = dot(plane.point - origin, plane.normal) / slope;
+    return CasterBounds::Crossing{t, t};
 }
 
 }  // namespace
@@ -162,8 +168,27 @@ std::optional<SquarePlace> CasterBounds::entry_of(Vec3 origin, Vec3 direction) c
     return std::visit([&](const auto& body) { return entry_into(body, origin, direction); }, body_);
 }
 
-bool CasterBounds::met_by(Vec3 origin, Vec3 direction) const {
-    return std::visit([&](const auto& body) { return meets(body, origin, direction); }, body_);
+std::optional<CasterBounds::Crossing> CasterBounds::crossing(Vec3 origin, Vec3 direction) const {
+    return std::visit([&](const auto& body) { return cross(body, origin, direction); }, body_);
+}
+
+Bounds CasterBounds::box() const {
+    Bounds result;
+    if (endless()) return result;
+    Vec3 half;
+    if (const auto* box = std::get_if<OrientedBox>(&body_)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 reach = box->axes[std::size_t(axis)] * box->half[axis];
+            half += Vec3{std::abs(reach.x), std::abs(reach.y), std::abs(reach.z)};
+        }
+    } else {
+        const double radius = std::get<Ball>(body_).radius;
+        half = {radius, radius, radius};
+    }
+    const Vec3 centre = ball().centre;
+    result.add(centre - half);
+    result.add(centre + half);
+    return result;
 }
 
 Ball CasterBounds::ball() const {

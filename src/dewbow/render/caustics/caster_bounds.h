@@ -72,11 +72,21 @@ public:
     /// The inverse, for the whole line; nothing if it misses.
     std::optional<SquarePlace> entry_of(Vec3 origin, Vec3 direction) const;
 
+    struct Crossing {
+        double t_in, t_out;  ///< m along the line; equal for a plane
+    };
+    /// Nothing if the line misses.
+    std::optional<Crossing> crossing(Vec3 origin, Vec3 direction) const;
     /// Whether a ray meets the body, or starts in it.
-    bool met_by(Vec3 origin, Vec3 direction) const;
+    bool met_by(Vec3 origin, Vec3 direction) const {
+        const auto way = crossing(origin, direction);
+        return way && way->t_out > 0.0;
+    }
 
     bool endless() const { return std::holds_alternative<EndlessPlane>(body_); }
     const Body& body() const { return body_; }
+    /// A box around it; of a plane without end an empty one.
+    Bounds box() const;
     /// A ball around it; of a plane without end an infinite one.
     Ball ball() const;
     /// Area of the surface, m².

@@ -11,8 +11,8 @@ namespace dewbow::caustics {
 
 namespace {
 
-/// Leaves of the tree hold so many boxes that there are not many more of them than this.
-constexpr std::size_t kMostLeaves = 8192;
+/// Leaves of the tree hold so many boxes that there are not many more of them than this: 50 MB.
+constexpr std::size_t kMostLeaves = std::size_t{1} << 18;
 /// Parts take the place of a whole if they have less than this share of its surface: each group
 /// costs time whenever a density is asked for.
 constexpr double kWorthParting = 0.9;
@@ -36,7 +36,7 @@ class Tree {
 public:
     explicit Tree(const std::vector<Bounds>& boxes) : boxes_(boxes), order_(boxes.size()) {
         std::iota(order_.begin(), order_.end(), 0u);
-        in_leaf_ = std::uint32_t(boxes.size() / kMostLeaves + 1);
+        in_leaf_ = std::uint32_t((boxes.size() + kMostLeaves - 1) / kMostLeaves);
         if (!boxes.empty()) build(0, std::uint32_t(boxes.size()), -1);
     }
 

@@ -18,6 +18,8 @@ constexpr double kMargin = 1e-7;
 constexpr double kOrthogonal = 1e-9;
 /// Meshes are grouped triangle by triangle while all of them together have no more: a second.
 constexpr std::size_t kMostTriangles = 2'000'000;
+/// Groups at most; fewer where there are many lamps, since each pair takes time and memory.
+constexpr std::size_t kMostGroups = 1 << 14, kLeastGroups = 64, kMostPairs = 1'000'000;
 /// Planes without end that light is aimed at; what further ones do is left to camera paths.
 constexpr std::size_t kMostPlanes = 8;
 
@@ -107,6 +109,13 @@ EndlessPlane plane_of(const Shape& shape, const Bounds& scene, Vec3 camera) {
     return {seen.centre() - normal * height, normal, reach > 0.0 ? reach : 1.0};
 }
 
+std::size_t most_groups(const Scene& scene) {
+    std::size_t lamps = scene.lights.size() + 1;
+    for (const Shape& shape : scene.shapes)
+        lamps += scene.materials[std::size_t(shape.material)].gives_light();
+    return std::clamp(kMostPairs / lamps, kLeastGroups, kMostGroups);
+}
+
 }  // namespace
 
 bool is_caster(const Scene& scene, const Material& material) {
@@ -146,7 +155,7 @@ Casters::Casters(const Scene& scene, const std::vector<bool>& see_through) {
             parts.shape.push_back(i);
         }
     }
-    for (const BoxGroup& group : group_boxes(parts.boxes, kMostGroups - groups_.size())) {
+    for (const BoxGroup& group : group_boxes(parts.boxes, most_groups(scene) - groups_.size())) {
         const int first = parts.shape[group.members[0]];
         const bool alone =
             std::all_of(group.members.begin(), group.members.end(),

@@ -18,9 +18,6 @@ bool is_caster(const Scene& scene, const Material& material);
 
 class Casters {
 public:
-    /// Rays are aimed at so many groups at most, planes without end among them.
-    static constexpr int kMostGroups = 64;
-
     /// @param see_through  one a shape: see_through_shapes.
     Casters(const Scene& scene, const std::vector<bool>& see_through);
 

@@ -15,7 +15,7 @@ DistantEmission::DistantEmission(const InfiniteLight& light, int index, const Ai
         if (!group.endless()) area += 0.25 * group.surface();
     const bool endless = std::any_of(groups().begin(), groups().end(),
                                      [](const CasterBounds& g) { return g.endless(); });
-    weigh(int(groups().size()), std::vector<bool>(groups().size(), false),
+    weigh(groups().size(), std::vector<bool>(groups().size(), false),
           light.irradiance() * (endless ? std::max(area, 1.0) : area));
 }
 

@@ -49,17 +49,16 @@ public:
     /// or 2 of lamps without extent. The others are not looked at.
     virtual int dimensions() const = 0;
 
-    /// `pdf` is that of this place alone: the ray's density is the sum over places(). Nothing where
-    /// the numbers give no ray towards a caster; their share is lost.
+    /// Nothing where the numbers give no ray towards a caster; their share is lost.
     virtual std::optional<EmittedRay> ray(const std::array<double, 4>& u) const = 0;
 
     struct Place {
         std::array<double, 4> u;  ///< those beyond dimensions() are 0.5
         double pdf;               ///< > 0, in the unit of EmittedRay::pdf
     };
-    static constexpr int kMostPlaces = Casters::kMostGroups;
-    /// Every place that gives `ray`, which leaves this lamp: at most one for each group of casters.
-    /// None if it can give no such ray. Returns how many.
+    static constexpr int kMostPlaces = 1;
+    /// Every place that gives `ray`, which leaves this lamp: one, or none if it can give no such
+    /// ray. Returns how many.
     /// @param ray  as ray() gives it. Its `from` is looked at if the lamp is a surface. Of lamps
     /// infinitely far the origin may lie anywhere along the ray.
     /// @param places  room for kMostPlaces.

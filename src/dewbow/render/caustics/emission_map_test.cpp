@@ -270,7 +270,9 @@ std::optional<Ray> ray_to(const PreparedScene& prepared, Vec3 at, const SurfaceF
                           const Numbers& u) {
     const auto sample = prepared.lights.sample({at}, u[0], {u[1], u[2]});
     if (!sample) return std::nullopt;
-    if (sample->source != LightSample::Source::shape) return Ray{at, -sample->direction, {}};
+    const double distance = std::isinf(sample->distance) ? 0.0 : sample->distance;
+    if (sample->source != LightSample::Source::shape)
+        return Ray{at + sample->direction * distance, -sample->direction, {}};
     Ray back{at, sample->direction, from};
     const Hit hit = prepared.accelerator.intersect(back);
     if (!hit || !prepared.lights.emits(hit, back.direction)) return std::nullopt;

@@ -34,18 +34,19 @@ double number_of(const Distribution1D& distribution, std::size_t cell, double of
     return std::clamp(low + offset * distribution.probability(cell), 0.0, kOneBelow);
 }
 
-void GroupedEmission::weigh(int targets, const std::vector<bool>& dark, double whole) {
-    std::vector<double> flux(std::size_t(targets), 0.0);
+void GroupedEmission::weigh(std::size_t targets, const std::vector<bool>& dark, double whole) {
+    one_ = targets != aims_.groups.size();
+    std::vector<double> flux(targets, 0.0);
     double sum = 0.0;
     int lit = 0;
-    for (int target = 0; target < targets; ++target) {
-        if (dark[std::size_t(target)]) continue;
+    for (std::size_t target = 0; target < targets; ++target) {
+        if (dark[target]) continue;
         ++lit;
         double found = 0.0;
         for (int i = 0; i < aims_.looks; ++i)
-            if (const auto ray = towards(target, even_point(i)))
+            if (const auto ray = first_towards(int(target), even_point(i)))
                 found += brightness(*ray) / ray->pdf;
-        sum += flux[std::size_t(target)] = found / aims_.looks;
+        sum += flux[target] = found / aims_.looks;
     }
     if (lit == 0 || !(whole > 0.0)) return;
     power_ = std::max(sum, kLeastShare * whole);
@@ -56,44 +57,41 @@ void GroupedEmission::weigh(int targets, const std::vector<bool>& dark, double w
     choose_.emplace(flux);
 }
 
+int GroupedEmission::target_of(const Ray& ray) const {
+    const int first = source() == LightSample::Source::infinite
+                          ? aims_.index.first_on_line(ray.origin, ray.direction)
+                          : aims_.index.first_from(ray.origin, ray.direction);
+    return one_ ? std::min(first, 0) : first;
+}
+
+std::optional<EmittedRay> GroupedEmission::first_towards(int target,
+                                                         const std::array<double, 4>& u) const {
+    std::optional<EmittedRay> ray = towards(target, u);
+    if (ray && target_of(ray->ray) != target) ray.reset();
+    return ray;
+}
+
 std::optional<EmittedRay> GroupedEmission::ray(const std::array<double, 4>& u) const {
     if (!choose_) return std::nullopt;
     const Distribution1D::Sample choice = choose_->sample(u[axis_]);
     std::array<double, 4> rest = u;
     rest[axis_] = choice.offset;
-    std::optional<EmittedRay> ray = towards(int(choice.index), rest);
+    std::optional<EmittedRay> ray = first_towards(int(choice.index), rest);
     if (ray) ray->pdf *= choose_->probability(choice.index);
     return ray;
 }
 
 int GroupedEmission::places(const Ray& ray, std::span<Place> places) const {
-    if (!choose_) return 0;
-    int count = 0;
-    for (std::size_t target = 0; target < choose_->size(); ++target) {
-        const double chosen = choose_->probability(target);
-        if (!(chosen > 0.0) || !may_meet(target, ray)) continue;
-        std::optional<Place> place = place_towards(int(target), ray);
-        if (!place || !(place->pdf > 0.0)) continue;
-        place->u[axis_] = number_of(*choose_, target, place->u[axis_]);
-        place->pdf *= chosen;
-        places[std::size_t(count++)] = *place;
-    }
-    return count;
-}
-
-/// Whether the whole line passes the ball around a target: cheaper than whether it meets it.
-bool GroupedEmission::may_meet(std::size_t target, const Ray& ray) const {
-    if (choose_->size() != aims_.around.size()) return true;  // one target for all groups
-    constexpr double kRounding = 1.0 + 1e-6;
-    const Ball& ball = aims_.around[target];
-    const Vec3 to_centre = ball.centre - ray.origin;
-    const Vec3 aside = to_centre - ray.direction * dot(to_centre, ray.direction);
-    return dot(aside, aside) <= ball.radius * ball.radius * kRounding;
-}
-
-bool GroupedEmission::meets_any(Vec3 origin, Vec3 direction) const {
-    return std::any_of(aims_.groups.begin(), aims_.groups.end(),
-                       [&](const CasterBounds& group) { return group.met_by(origin, direction); });
+    const int target = choose_ ? target_of(ray) : -1;
+    if (target < 0) return 0;
+    const double chosen = choose_->probability(std::size_t(target));
+    if (!(chosen > 0.0)) return 0;
+    std::optional<Place> place = place_towards(target, ray);
+    if (!place || !(place->pdf > 0.0)) return 0;
+    place->u[axis_] = number_of(*choose_, std::size_t(target), place->u[axis_]);
+    place->pdf *= chosen;
+    places[0] = *place;
+    return 1;
 }
 
 }  // namespace dewbow::caustics

@@ -27,14 +27,8 @@ PointEmission::PointEmission(const PunctualLight& light, int index, const Aims& 
         if (to_.back() && to_.back()->solid_angle() > cone_sr) to_.back().reset();
         all_sr += to_.back() ? to_.back()->solid_angle() : cone_sr;
     }
-    one_ = all_sr >= cone_sr && !groups().empty();
-    if (one_) to_.assign(1, std::nullopt);
-    weigh(int(to_.size()), std::vector<bool>(to_.size(), false), bounds.intensity * cone_sr);
-}
-
-bool PointEmission::meets(int target, Vec3 direction) const {
-    return one_ ? meets_any(position_, direction)
-                : groups()[std::size_t(target)].met_by(position_, direction);
+    if (all_sr >= cone_sr && !groups().empty()) to_.assign(1, std::nullopt);
+    weigh(to_.size(), std::vector<bool>(to_.size(), false), bounds.intensity * cone_sr);
 }
 
 std::optional<EmittedRay> PointEmission::towards(int target, const std::array<double, 4>& u) const {
@@ -45,14 +39,14 @@ std::optional<EmittedRay> PointEmission::towards(int target, const std::array<do
            : DirectionsTo::Sample{around(axis_, sample_uniform_cone(width_, u[0], u[1])).v,
                                   pdf_uniform_cone(width_)};
     const double factor = light_.factor(direction);
-    if (!(factor > 0.0) || !(pdf > 0.0) || !meets(target, direction)) return std::nullopt;
+    if (!(factor > 0.0) || !(pdf > 0.0)) return std::nullopt;
     EmittedRay ray = lit({position_, direction, {}}, pdf, true);
     ray.factor = factor;
     return ray;
 }
 
 std::optional<EmissionMap::Place> PointEmission::place_towards(int target, const Ray& ray) const {
-    if (!meets(target, ray.direction) || !(light_.factor(ray.direction) > 0.0)) return std::nullopt;
+    if (!(light_.factor(ray.direction) > 0.0)) return std::nullopt;
     if (const auto& to = to_[std::size_t(target)]) {
         const auto place = to->place_of(ray.direction);
         if (!place) return std::nullopt;

@@ -18,15 +18,14 @@ private:
     std::optional<EmittedRay> towards(int target, const std::array<double, 4>& u) const override;
     std::optional<Place> place_towards(int target, const Ray& ray) const override;
     double brightness(const EmittedRay& ray) const override;
-    bool meets(int target, Vec3 direction) const;
 
     const PunctualLight& light_;
     Vec3 position_;
     double brightness_;
-    Dir<World> axis_;   ///< of the cone that the light shines into
-    double width_;      ///< 1 − cos of its half angle
-    bool one_ = false;  ///< the cone is narrower than the targets: it is the only one
-    /// One a target; nothing: the cone.
+    Dir<World> axis_;  ///< of the cone that the light shines into
+    double width_;     ///< 1 − cos of its half angle
+    /// One a target; nothing: the cone. Where the cone is narrower than all of them it is the only
+    /// one.
     std::vector<std::optional<DirectionsTo>> to_;
 };
 

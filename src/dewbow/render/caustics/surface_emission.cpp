@@ -92,7 +92,7 @@ SurfaceEmission::SurfaceEmission(const GlowingShape& shape, int index, const Aim
         parts_.emplace_back(weights);
         dark[target] = !one_table && parts_.back().was_all_zero();
     }
-    weigh(int(groups().size()), dark, kPi * whole);
+    weigh(groups().size(), dark, kPi * whole);
 }
 
 /// Directions to the target lie within β = asin((R + r) / d) of that between the centres. At θ from
@@ -162,8 +162,7 @@ std::optional<EmittedRay> SurfaceEmission::towards(int target,
     const auto [direction, pdf] =
         Fan(point.position, point.normal, shape_.glow().two_sided(), group).sample({u[2], u[3]});
     const double cosine = dot(direction, point.normal);
-    if (cosine == 0.0 || !(pdf > 0.0) || !shape_.shines(-direction, point.normal) ||
-        !group.met_by(point.position, direction))
+    if (cosine == 0.0 || !(pdf > 0.0) || !shape_.shines(-direction, point.normal))
         return std::nullopt;
     const double density = parts(target).probability(choice.index) * point.pdf_area * pdf;
     EmittedRay ray =
@@ -180,7 +179,6 @@ std::optional<EmittedRay> SurfaceEmission::towards(int target,
 
 std::optional<EmissionMap::Place> SurfaceEmission::place_towards(int target, const Ray& ray) const {
     const CasterBounds& group = groups()[std::size_t(target)];
-    if (!group.met_by(ray.origin, ray.direction)) return std::nullopt;
     Hit hit;
     hit.primitive = ray.from.primitive;
     hit.normal = shape_.normal_at(ray.origin, hit.primitive);
