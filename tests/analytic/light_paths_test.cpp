@@ -17,7 +17,7 @@ namespace {
 using namespace kit;
 
 constexpr int kSide = 8;
-constexpr std::uint64_t kPaths = 1 << 16;
+constexpr std::uint64_t kPaths = 1 << 17;
 /// Of a pixel, in standard errors (64 pixels: a false alarm in 3e4 changes).
 constexpr double kSigmas = 5.0;
 /// Of all pixels together, likewise (a false alarm in 1e5).
@@ -76,11 +76,11 @@ TEST(LightPaths, APointBehindAPane) {
     constexpr double kReflectance = 0.7, kHeight = 1.0, kIndex = 1.5;
     Scene scene = scene_with_floor(kReflectance);
     const auto index = make_dispersion({"constant", {kIndex}, IndexReference::vacuum});
-    add(scene, Rectangle{3.0 * m, 3.0 * m}, {"pane", ThinDielectric{index}},
+    add(scene, Rectangle{0.8 * m, 0.8 * m}, {"pane", ThinDielectric{index}},
         translation({0, 0, 0.6}));
     scene.lights.push_back(PointLight{Point<World>{{0, 0, kHeight}}, make_constant(1.0)});
     scene.camera.world_from_camera =
-        Transform<World, Camera>(looking_at({0, -1.2, 0.4}, {0, 0.1, 0}, {0, 0, 1}));
+        Transform<World, Camera>(looking_at({0, -1.3, 0.8}, {0, 0.1, 0}, {0, 0, 1}));
     scene.camera.projection = Perspective{20.0 * deg};
     const Brought brought = trace(scene);
     const PreparedScene prepared(scene);
