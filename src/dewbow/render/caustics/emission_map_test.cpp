@@ -263,6 +263,31 @@ TEST(EmissionMap, WrongDensitiesAreSeen) {
     }
 }
 
+/// What stands between the sun and the casters is met first: a wall far off, a roof without end.
+TEST(EmissionMap, RaysFromInfinitelyFarBeginBeforeEverything) {
+    const int kNobody = -1;
+    for (const bool endless : {false, true}) {
+        Scene scene = make_empty_scene();
+        add_things(scene);
+        const int grey = scene.add({"grey", Diffuse{make_constant(0.5)}, {}});
+        const Affine up = translation({0, 50, 0}) * rotation({1, 0, 0}, -90.0 * unit::deg);
+        const int roof = int(scene.shapes.size());
+        if (endless)
+            add_shape(scene, Plane{}, up, grey);
+        else
+            add_shape(scene, Rectangle{30.0 * unit::m, 30.0 * unit::m}, up, grey);
+        scene.lights.push_back(
+            DistantLight{{normalised(Vec3{0.1, -1, 0})}, 0.2666 * unit::deg, make_constant(1.0)});
+        const Ready ready(scene);
+        for (int i = 0; i < 200; ++i) {
+            const auto ray = ready.maps[0].ray(numbers(i));
+            if (!ray) continue;
+            const Hit hit = ready.prepared.accelerator.intersect(ray->ray);
+            ASSERT_EQ(hit ? hit.shape : kNobody, roof);
+        }
+    }
+}
+
 // ---- what is aimed at, and what is not ----------------------------------------------------------
 
 /// A ray of the lamp to a point, found from there as direct light is; nothing if that is dark.
