@@ -88,6 +88,35 @@ TEST(SameBits, ACropIsAPartOfTheWhole) {
         }
 }
 
+/// The light paths of a crop are those of the whole picture.
+TEST(SameBits, WithLightPathsToo) {
+    const ThreadsGuard guard;
+    Scene scene = scene_of_everything();
+    scene.render.samples_per_pixel = 5;  // the last pass has one sample
+    scene.render.caustics.light_paths = 2.0;
+    set_thread_count(1);
+    const FilmSums whole = render(scene, {}, "caustics");
+    EXPECT_EQ(whole.light_paths(), 2u * 5 * 50 * 37);
+    set_thread_count(5);
+    EXPECT_EQ(render(scene, {}, "caustics").fingerprint(), whole.fingerprint());
+    const PixelRect crop{13, 5, 39, 31};
+    const FilmSums part = render(scene, crop, "caustics");
+    EXPECT_EQ(part.light_paths(), whole.light_paths());
+    double brought = 0.0;
+    for (int y = crop.y0; y < crop.y1; ++y)
+        for (int x = crop.x0; x < crop.x1; ++x) {
+            ASSERT_EQ(part.xyz(x, y), whole.xyz(x, y)) << x << ", " << y;
+            ASSERT_EQ(part.caustics(x, y), whole.caustics(x, y));
+            ASSERT_EQ(part.variance_of_mean(x, y), whole.variance_of_mean(x, y));
+            for (int bin = 0; bin < 3; ++bin) ASSERT_EQ(part.bin(x, y, bin), whole.bin(x, y, bin));
+            brought += part.caustics(x, y)[1];
+        }
+    EXPECT_GT(brought, 0.0);
+    scene.render.caustics.light_paths = 0.0;
+    FilmSums without = render(scene, {}, "caustics");
+    EXPECT_EQ(without.fingerprint(), render(scene).fingerprint()) << "path, bit for bit";
+}
+
 TEST(SameBits, Distributed1989TooInAllItsWays) {
     const ThreadsGuard guard;
     Scene scene = scene_of_everything();
