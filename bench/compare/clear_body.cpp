@@ -79,6 +79,11 @@ ConvexFaces::Crossing ConvexFaces::exit(Vec3 origin, Vec3 d) const {
     return {std::max(0.0, nearest_below / nearest_rate), nearest->normal};
 }
 
+bool ConvexFaces::holds(Vec3 p) const {
+    return std::all_of(planes_.begin(), planes_.end(),
+                       [&](const Face& face) { return dot(face.normal, p) < face.offset; });
+}
+
 std::optional<double> distance_to(const PlainLamp& lamp, Vec3 origin, Vec3 d) {
     const double rate = dot(lamp.normal, d);
     if (rate == 0.0) return std::nullopt;

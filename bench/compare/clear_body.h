@@ -35,6 +35,8 @@ public:
     std::optional<Crossing> entry(Vec3 origin, Vec3 d) const;
     /// Where a ray from inside, or from a face inwards, leaves.
     Crossing exit(Vec3 origin, Vec3 d) const;
+    /// Whether the point is behind all faces.
+    bool holds(Vec3 p) const;
     std::size_t size() const { return planes_.size(); }
 
 private:

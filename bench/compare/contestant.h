@@ -46,6 +46,8 @@ public:
     virtual std::string name() const = 0;
     /// Of the program that was found, as it calls itself.
     virtual std::string version() const = 0;
+    /// Whether it takes part in this scene: scenes of images, where nothing else is said.
+    virtual bool shows(const PlainScene& scene) const { return !scene.has_caustics(); }
     /// Whether Knobs::spectral_samples means anything to it.
     virtual bool splits_spectrum() const = 0;
     /// Whether more samples lead to the true picture. Others have colours or an index of their own,

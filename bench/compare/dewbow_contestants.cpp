@@ -20,6 +20,8 @@ struct Method {
     std::string splits_key{};
     /// Whose limit it has; empty: the truth.
     std::string limit{};
+    /// Which scenes it takes part in.
+    bool images = true, caustics = false;
 };
 
 class DewbowContestant : public Contestant {
@@ -28,6 +30,9 @@ public:
         : method_(std::move(method)), program_(std::move(program)) {}
     std::string name() const override { return method_.name; }
     std::string version() const override { return first_line_of({program_.string(), "--version"}); }
+    bool shows(const PlainScene& scene) const override {
+        return scene.has_caustics() ? method_.caustics : method_.images;
+    }
     bool splits_spectrum() const override { return !method_.splits_key.empty(); }
     bool converges_to_truth() const override { return method_.limit.empty(); }
     std::string limit_name() const override {
@@ -107,7 +112,17 @@ std::unique_ptr<Contestant> find_1989(const Programs& programs, Method method) {
 }  // namespace
 
 std::unique_ptr<Contestant> find_path(const Programs& programs) {
-    return find(programs, {"path", "path", {}});
+    Method method{"path", "path", {}};
+    method.caustics = true;
+    return find(programs, std::move(method));
+}
+
+std::unique_ptr<Contestant> find_caustics(const Programs& programs, const std::string& name,
+                                          std::vector<std::string> settings) {
+    Method method{name, "caustics", std::move(settings)};
+    method.images = false;
+    method.caustics = true;
+    return find(programs, std::move(method));
 }
 
 template <SamplesLie lie>

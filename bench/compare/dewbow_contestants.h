@@ -9,6 +9,11 @@ namespace dewbow::bench {
 
 std::unique_ptr<Contestant> find_path(const Programs& programs);
 
+/// Camera and light paths together, for scenes of caustics.
+/// @param settings  for --set.
+std::unique_ptr<Contestant> find_caustics(const Programs& programs, const std::string& name,
+                                          std::vector<std::string> settings);
+
 /// How the samples of distributed_1989 lie in their intervals.
 enum class SamplesLie { fixed, jittered, correlated };
 /// The paper's colours, index, transport and sum.

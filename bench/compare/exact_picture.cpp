@@ -9,15 +9,11 @@
 #include "clear_body.h"
 #include "dewbow/base/parallel.h"
 #include "dewbow/base/random.h"
-#include "dewbow/spectrum/cie.h"
-#include "dewbow/spectrum/rgb.h"
+#include "film_wavelengths.h"
 
 namespace dewbow::bench {
 namespace {
 
-/// Wavelengths that are told apart: neighbours are 0.1 nm apart in the green, which moves no edge
-/// of the scenes by a thousandth of a pixel.
-constexpr std::size_t kWavelengths = 4096;
 /// A chain ends where less than this share of its light is left: lamps of 16 times white are missed
 /// by less than 2e-4 of white,
 constexpr double kLeastShare = 1e-5;
@@ -36,42 +32,24 @@ struct Band {
 Band band_at(const PlainScene& scene, double lambda_nm, double pdf_per_nm) {
     const Wavelength lambda = lambda_nm * unit::nm;
     Band band;
-    band.n = scene.body.index->operator()(lambda).value /
+    band.n = scene.bodies[0].index->operator()(lambda).value /
              scene.surrounding_index->operator()(lambda).value;
     if (scene.surroundings) band.surroundings = (*scene.surroundings)(lambda);
     for (const PlainLamp& lamp : scene.lamps) band.lamps.push_back((*lamp.radiance)(lambda));
-    band.film_weight = rgb_from_xyz<LinearSrgb>(Colour<Xyz>{cie_xyz_bar(lambda_nm)}) *
-                       (scene.film_from_xyz / pdf_per_nm);
+    band.film_weight = film_weight(lambda_nm, pdf_per_nm, scene.film_from_xyz);
     return band;
 }
 
-/// Wavelengths in proportion to x̄ + ȳ + z̄ and a little everywhere.
 std::vector<Band> make_bands(const PlainScene& scene) {
-    constexpr double kStep_nm = 0.05, kEverywhere = 0.02;
-    std::vector<double> cumulative{0.0};
-    const auto density = [](double nm) {
-        const auto bar = cie_xyz_bar(nm);
-        return bar[0] + bar[1] + bar[2] + kEverywhere;
-    };
-    const auto steps = std::size_t((kLambdaMax_nm - kLambdaMin_nm) / kStep_nm + 0.5);
-    for (std::size_t i = 0; i < steps; ++i)
-        cumulative.push_back(cumulative.back() +
-                             kStep_nm * density(kLambdaMin_nm + kStep_nm * (double(i) + 0.5)));
     std::vector<Band> bands;
-    for (std::size_t k = 0; k < kWavelengths; ++k) {
-        const double wanted = (double(k) + 0.5) / double(kWavelengths) * cumulative.back();
-        const auto above = std::upper_bound(cumulative.begin(), cumulative.end(), wanted);
-        const double within = (wanted - above[-1]) / (above[0] - above[-1]);
-        const double nm =
-            kLambdaMin_nm + kStep_nm * (double(above - cumulative.begin() - 1) + within);
-        bands.push_back(band_at(scene, nm, (above[0] - above[-1]) / kStep_nm / cumulative.back()));
-    }
+    for (const FilmWavelength& wavelength : film_wavelengths(scene.film_from_xyz))
+        bands.push_back(band_at(scene, wavelength.lambda_nm, wavelength.pdf_per_nm));
     return bands;
 }
 
 class ChainTracer {
 public:
-    explicit ChainTracer(const PlainScene& scene) : scene_(scene), faces_(scene.body) {}
+    explicit ChainTracer(const PlainScene& scene) : scene_(scene), faces_(scene.bodies[0]) {}
 
     double radiance(Vec3 origin, Vec3 d, const Band& band) const {
         const auto entry = faces_.entry(origin, d);
@@ -152,7 +130,7 @@ Picture exact_picture(const PlainScene& scene, int samples, std::uint64_t seed) 
             const double y =
                 double(pixel / std::size_t(picture.width)) + fraction(shift[1] + i * kStepY);
             const double share = (i + shift[2]) / samples;  // below 1
-            const Band& band = bands[std::size_t(share * double(kWavelengths))];
+            const Band& band = bands[std::size_t(share * double(bands.size()))];
             const Vec3 d = normalised(scene.camera.direction(x, y));
             sum = sum + band.film_weight * tracer.radiance(scene.camera.eye, d, band);
         }

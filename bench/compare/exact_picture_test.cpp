@@ -18,8 +18,8 @@ constexpr double kCut = 1.1e-5;
 PlainScene before_lamp(PlainBody body) {
     PlainScene scene;
     scene.camera = {{0, 0, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1, 2, 2};
-    scene.body = std::move(body);
-    scene.body.index = make_dispersion({"constant", {1.5}, IndexReference::vacuum});
+    scene.bodies.push_back(std::move(body));
+    scene.bodies[0].index = make_dispersion({"constant", {1.5}, IndexReference::vacuum});
     scene.surrounding_index = vacuum();
     PlainLamp lamp;
     lamp.name = "lamp";

@@ -8,6 +8,7 @@
 #include "dewbow/base/error.h"
 #include "dewbow/import/import.h"
 #include "exact_picture.h"
+#include "forward_picture.h"
 #include "machine.h"
 #include "scratch_folder.h"
 
@@ -19,6 +20,9 @@ constexpr const char* kCard = "card";
 /// What shows how long a program takes before it renders: a picture of so few pixels.
 constexpr int kStartUpSize = 4;
 constexpr double kLeastWork_s = 1e-3;
+/// Of the picture that tells caustics from direct light.
+constexpr int kDirectSamples = 256;
+constexpr std::uint64_t kDirectSeed = 3'000'017;
 
 /// A contestant with one setting.
 struct Arm {
@@ -103,7 +107,8 @@ public:
                      const Plan& plan, const std::function<void(const std::string&)>& say,
                      Measurements& all)
         : scene_(scene), plan_(plan), say_(say), all_(all) {
-        for (const auto& contestant : contestants) contestants_.push_back(contestant.get());
+        for (const auto& contestant : contestants)
+            if (contestant->shows(scene.plain)) contestants_.push_back(contestant.get());
         facts_.name = scene.name;
     }
 
@@ -127,8 +132,14 @@ private:
     void make_references() {
         say_(scene_.name + ": the true picture");
         truth_ = true_picture(scene_, plan_.references);
-        masks_ = make_masks(truth_.mean);
-        card_ = pixels_of_lamp(scene_.plain, kCard);
+        if (scene_.plain.has_caustics()) {
+            const SeenPicture direct = direct_picture(scene_.plain, kDirectSamples, kDirectSeed);
+            masks_ = make_masks(truth_.mean, direct.picture, direct.receivers);
+            card_ = masks_.back().mask;
+        } else {
+            masks_ = make_masks(truth_.mean);
+            card_ = pixels_of_lamp(scene_.plain, kCard);
+        }
         facts_.truth = truth_.mean;
         facts_.truth_own = own_errors(truth_, masks_.front().mask);
         for (const NamedMask& mask : masks_)
@@ -216,6 +227,9 @@ private:
             run.errors.push_back(std::move(errors));
         }
         run.card = mean_colour(picture, card_);
+        if (!scene_.plain.has_caustics()) return;
+        const Colour<LinearSrgb> whole = mean_colour(truth_.mean, card_);
+        for (const std::size_t c : {0u, 1u, 2u}) run.card[c] /= whole[c];
     }
 
     void sum_up(const Arm& arm) {

@@ -42,8 +42,8 @@ struct Run {
     ChildUsage usage;
     double load = 0.0;  ///< load average of the machine when it began
     std::vector<MaskErrors> errors{};
-    Colour<LinearSrgb>
-        card{};  ///< mean where the white card is seen: (1, 1, 1) if brightness is right
+    Colour<LinearSrgb> card{};  ///< mean where the white card is seen, or the mean of the caustic
+                                ///< over that of the truth: (1, 1, 1) if brightness is right
 };
 
 /// All repeats of one contestant with one setting; medians.

@@ -24,7 +24,7 @@ double square_or_infinity(double d) {
 
 /// Squares of one pixel, averaged over its three numbers.
 struct PixelErrors {
-    double square = 0.0, relative = 0.0, xyz = 0.0;
+    double square = 0.0, relative = 0.0, xyz = 0.0, clipped = 0.0;
 };
 PixelErrors pixel_errors(Colour<LinearSrgb> difference, Colour<LinearSrgb> reference) {
     const Colour<Xyz> xyz = xyz_from_rgb(difference);
@@ -34,6 +34,9 @@ PixelErrors pixel_errors(Colour<LinearSrgb> difference, Colour<LinearSrgb> refer
         errors.square += square;
         errors.relative += square / (reference[c] * reference[c] + kFloor * kFloor);
         errors.xyz += square_or_infinity(xyz[c]) / 3.0;
+        errors.clipped += square_or_infinity(std::min(reference[c] + difference[c], kBrightest) -
+                                             std::min(reference[c], kBrightest)) /
+                          3.0;
     }
     return errors;
 }
@@ -48,6 +51,7 @@ PictureErrors mean_squares(const std::vector<Colour<LinearSrgb>>& differences,
         const PixelErrors errors = pixel_errors(differences[i], reference.pixels[i]);
         sum.mse += errors.square;
         sum.xyz_mse += errors.xyz;
+        sum.clipped += errors.clipped;
         relative.push_back(errors.relative);
     }
     if (relative.empty()) return {};
@@ -56,6 +60,7 @@ PictureErrors mean_squares(const std::vector<Colour<LinearSrgb>>& differences,
     const auto kept = relative.end() - std::ptrdiff_t(kTrimmedShare * count);
     sum.mse /= count;
     sum.xyz_mse /= count;
+    sum.clipped /= count;
     sum.relative_mse = std::accumulate(relative.begin(), relative.end(), 0.0) / count;
     sum.trimmed = std::accumulate(relative.begin(), kept, 0.0) / double(kept - relative.begin());
     return sum;
@@ -69,6 +74,7 @@ const std::vector<ErrorKind>& error_kinds() {
         {"relative MSE", &PictureErrors::relative_mse, true},
         {"trimmed", &PictureErrors::trimmed, true},
         {"XYZ MSE", &PictureErrors::xyz_mse, true},
+        {"clipped", &PictureErrors::clipped, true},
         {"FLIP", &PictureErrors::flip, false},
     };
     return kinds;
@@ -122,6 +128,23 @@ std::vector<NamedMask> make_masks(const Picture& reference) {
         coloured.mask.push_back(*high > kDark && *high - *low > kApart * *high);
     }
     return {whole, coloured};
+}
+
+std::vector<NamedMask> make_masks(const Picture& reference, const Picture& direct,
+                                  const Mask& seen) {
+    /// A caustic is brighter than what the lamps do by this share of white.
+    constexpr double kBrighter = 0.02;
+    std::vector<NamedMask> masks = make_masks(reference);
+    NamedMask caustic{"caustic",
+                      "pixels that lamps alone would leave darker by more than 2 % of white", seen};
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const double brighter = xyz_from_rgb(reference.pixels[i] - direct.pixels[i])[1];
+        caustic.mask[i] = brighter > kBrighter;
+    }
+    masks.push_back(std::move(caustic));
+    for (NamedMask& mask : masks)
+        for (std::size_t i = 0; i < seen.size(); ++i) mask.mask[i] = mask.mask[i] && seen[i];
+    return masks;
 }
 
 Colour<LinearSrgb> mean_colour(const Picture& picture, const Mask& mask) {

@@ -19,10 +19,13 @@ struct PictureErrors {
     double relative_mse = 0.0;  ///< (a − b)² / (b² + f²), f = kFloor
     double trimmed = 0.0;       ///< the same without the kTrimmedShare of the pixels that are worst
     double xyz_mse = 0.0;       ///< (a − b)² of X, Y, Z, white has Y = 1
+    double clipped = 0.0;       ///< (a − b)² of linear sRGB, both cut off at kBrightest first
     double flip = 0.0;          ///< FLIP of the pictures as a screen shows them, 0 to 1
 };
 /// Below this share of white differences count as absolute.
 inline constexpr double kFloor = 0.1;
+/// Brighter than this a screen shows nothing that the eye tells apart; white = 1.
+inline constexpr double kBrightest = 2.0;
 /// Fireflies: what `trimmed` leaves out, rounded down to whole pixels.
 inline constexpr double kTrimmedShare = 1e-3;
 
@@ -65,6 +68,10 @@ struct NamedMask {
 };
 /// "whole"; and "coloured": where light has come apart. Made of the reference alone.
 std::vector<NamedMask> make_masks(const Picture& reference);
+/// The same of the pixels of `seen` alone; and "caustic": where the reference is brighter than
+/// `direct`, which is light straight from the lamps.
+std::vector<NamedMask> make_masks(const Picture& reference, const Picture& direct,
+                                  const Mask& seen);
 
 /// Mean over a mask.
 Colour<LinearSrgb> mean_colour(const Picture& picture, const Mask& mask);

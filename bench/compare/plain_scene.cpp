@@ -69,9 +69,15 @@ PlainBody corners_of(const Prism& prism) {
     return body;
 }
 
+PlainBody corners_of(const Sphere& sphere) {
+    PlainBody body;
+    body.sphere = PlainSphere{{}, sphere.radius.to(unit::m)};
+    return body;
+}
+
 template <class Other>
 PlainBody corners_of(const Other&) {
-    refuse("a clear body is a prism, a box or a mesh");
+    refuse("a clear body is a prism, a box, a sphere or a mesh");
 }
 
 PlainBody plain_body(const Shape& shape, const Dielectric& glass) {
@@ -79,7 +85,13 @@ PlainBody plain_body(const Shape& shape, const Dielectric& glass) {
         refuse("the body '" + shape.name + "' is smooth and clear");
     PlainBody body = std::visit([](const auto& g) { return corners_of(g); }, shape.geometry);
     for (Vec3& vertex : body.vertices) vertex = shape.world_from_object(Point<Object>{vertex}).v;
+    if (body.sphere) {
+        body.sphere->centre = shape.world_from_object(Point<Object>{}).v;
+        body.sphere->radius *= length(shape.world_from_object(Dir<Object>{{1, 0, 0}}).v);
+    }
     body.index = glass.interior->index;
+    body.priority = glass.interior->priority;
+    body.name = shape.name;
     return body;
 }
 
@@ -87,9 +99,8 @@ Colour<LinearSrgb> film_colour(const Spectrum& radiance, double film_from_xyz) {
     return rgb_from_xyz<LinearSrgb>(xyz_from_spectrum(radiance) * film_from_xyz);
 }
 
-PlainLamp plain_lamp(const Shape& shape, const Material& material, double film_from_xyz) {
-    if (material.emission_texture || material.coverage || !material.emission)
-        refuse("the surface '" + shape.name + "' glows evenly");
+/// What is flat, as a lamp: its form and place alone.
+PlainLamp flat_thing(const Shape& shape) {
     PlainLamp lamp;
     lamp.name = shape.name;
     double u = 0.0, v = 0.0;
@@ -100,16 +111,81 @@ PlainLamp plain_lamp(const Shape& shape, const Material& material, double film_f
         lamp.shape = LampShape::disc;
         u = v = disc->radius.to(unit::m);
     } else {
-        refuse("the glowing '" + shape.name + "' is a rectangle or a disc");
+        refuse("the surface '" + shape.name + "' is a rectangle or a disc");
     }
     lamp.centre = shape.world_from_object(Point<Object>{}).v;
     lamp.half_u = shape.world_from_object(Dir<Object>{{u, 0, 0}}).v;
     lamp.half_v = shape.world_from_object(Dir<Object>{{0, v, 0}}).v;
     lamp.normal = shape.world_from_object(Normal<Object>{{0, 0, 1}}).v;
+    return lamp;
+}
+
+PlainLamp plain_lamp(const Shape& shape, const Material& material, double film_from_xyz) {
+    if (material.emission_texture || material.coverage || !material.emission)
+        refuse("the surface '" + shape.name + "' glows evenly");
+    PlainLamp lamp = flat_thing(shape);
     lamp.radiance = material.emission;
     lamp.colour = film_colour(*material.emission, film_from_xyz);
     lamp.two_sided = material.two_sided_emission;
     return lamp;
+}
+
+/// @param reflectance  nullptr: none.
+PlainReceiver plain_receiver(const Shape& shape, const Material& material,
+                             const ColourInput* reflectance) {
+    if (material.gives_light() || material.coverage || material.normal_map ||
+        (reflectance && (reflectance->texture || reflectance->vertex_colour)))
+        refuse("the surface '" + shape.name + "' scatters evenly, and glows not");
+    const PlainLamp flat = flat_thing(shape);
+    if (flat.shape != LampShape::rectangle)
+        refuse("the surface '" + shape.name + "' is a rectangle");
+    PlainReceiver receiver{flat.name, flat.centre, flat.normal, flat.half_u, flat.half_v};
+    if (!reflectance) return receiver;
+    const auto at = [&](double nm) { return (*reflectance->spectrum)(nm * unit::nm); };
+    receiver.reflectance = at(kLambdaMin_nm);
+    for (double nm = kLambdaMin_nm; nm <= kLambdaMax_nm; nm += 1.0)
+        if (at(nm) != receiver.reflectance) refuse("the surface '" + shape.name + "' is grey");
+    return receiver;
+}
+
+/// Adds a light that is no shape.
+struct AddLight {
+    PlainScene& plain;
+
+    void operator()(const UniformEnvironment& even) const {
+        if (plain.surroundings) refuse("there are one surroundings");
+        plain.surroundings = even.radiance;
+        plain.surroundings_colour = film_colour(*even.radiance, plain.film_from_xyz);
+    }
+    void operator()(const SpotLight& spot) const {
+        /// A cone with a hard edge, as far as an inner angle below the outer one can say it.
+        constexpr double kHard = 0.999;
+        if (spot.inner.to(unit::rad) < kHard * spot.outer.to(unit::rad))
+            refuse("a spot has a hard edge");
+        plain.spots.push_back({spot.position.v, normalised(spot.direction.v),
+                               spot.outer.to(unit::rad), spot.intensity,
+                               film_colour(*spot.intensity, plain.film_from_xyz)});
+    }
+    void operator()(const DistantLight& sun) const {
+        plain.suns.push_back({normalised(sun.direction.v), sun.angular_radius.to(unit::rad),
+                              sun.irradiance, film_colour(*sun.irradiance, plain.film_from_xyz)});
+    }
+    template <class Other>
+    void operator()(const Other&) const {
+        refuse("lights are surfaces, spots, suns and even surroundings");
+    }
+};
+
+void check(const PlainScene& plain) {
+    if (plain.bodies.empty()) refuse("there is a clear body");
+    if (plain.has_caustics()) {
+        if (plain.surroundings) refuse("there are no surroundings where light falls on things");
+        return;
+    }
+    if (plain.bodies.size() > 1) refuse("there is one clear body");
+    if (plain.bodies[0].sphere) refuse("the one clear body has flat faces");
+    if (!plain.spots.empty() || !plain.suns.empty())
+        refuse("the surroundings are even, and lamps are surfaces");
 }
 
 }  // namespace
@@ -127,21 +203,19 @@ PlainScene plain_scene(const Scene& scene) {
     for (const Shape& shape : scene.shapes) {
         const Material& material = scene.materials[std::size_t(shape.material)];
         if (const auto* glass = std::get_if<Dielectric>(&material.surface)) {
-            if (plain.body.index) refuse("there is one clear body");
-            plain.body = plain_body(shape, *glass);
-        } else if (std::holds_alternative<Black>(material.surface)) {
+            plain.bodies.push_back(plain_body(shape, *glass));
+        } else if (const auto* diffuse = std::get_if<Diffuse>(&material.surface)) {
+            plain.receivers.push_back(plain_receiver(shape, material, &diffuse->reflectance));
+        } else if (!std::holds_alternative<Black>(material.surface)) {
+            refuse("the surface '" + shape.name + "' is clear, scatters evenly, or is black");
+        } else if (material.gives_light()) {
             plain.lamps.push_back(plain_lamp(shape, material, plain.film_from_xyz));
         } else {
-            refuse("the surface '" + shape.name + "' is clear, or black and glows");
+            plain.receivers.push_back(plain_receiver(shape, material, nullptr));
         }
     }
-    for (const Light& light : scene.lights) {
-        const auto* even = std::get_if<UniformEnvironment>(&light);
-        if (!even || plain.surroundings) refuse("the surroundings are even");
-        plain.surroundings = even->radiance;
-        plain.surroundings_colour = film_colour(*even->radiance, plain.film_from_xyz);
-    }
-    if (!plain.body.index) refuse("there is a clear body");
+    for (const Light& light : scene.lights) std::visit(AddLight{plain}, light);
+    check(plain);
     return plain;
 }
 

@@ -30,9 +30,9 @@ double volume_m3(const PlainBody& body) {
 
 TEST(PlainScene, BodiesAreClosedAndFaceOutwards) {
     // Prism: side² sin(apex)/2 × length; slab: its three sides.
-    EXPECT_NEAR(volume_m3(load("disc").plain.body),
+    EXPECT_NEAR(volume_m3(load("disc").plain.bodies[0]),
                 0.5 * 2.0 * 2.0 * std::sin(std::numbers::pi / 3.0) * 4.0, kRounding);
-    EXPECT_NEAR(volume_m3(load("slab").plain.body), 4.0 * 4.0 * 0.6, kRounding);
+    EXPECT_NEAR(volume_m3(load("slab").plain.bodies[0]), 4.0 * 4.0 * 0.6, kRounding);
 }
 
 TEST(PlainScene, CameraLooksThroughTheFilmsCorners) {

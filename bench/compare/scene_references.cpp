@@ -14,6 +14,7 @@
 #include "dewbow/base/random.h"
 #include "dewbow/image/exr.h"
 #include "exact_picture.h"
+#include "forward_picture.h"
 #include "scratch_folder.h"
 
 namespace dewbow::bench {
@@ -45,17 +46,32 @@ Key key_of(const PlainScene& scene) {
     const PlainCamera& camera = scene.camera;
     key.add(camera.eye).add(camera.right).add(camera.up).add(camera.forward);
     key.add(camera.tan_half_vertical_fov).add(double(camera.width)).add(double(camera.height));
-    for (const Vec3 vertex : scene.body.vertices) key.add(vertex);
-    for (const auto& triangle : scene.body.triangles)
-        for (const std::uint32_t corner : triangle) key.add(double(corner));
+    for (const PlainBody& body : scene.bodies) {
+        for (const Vec3 vertex : body.vertices) key.add(vertex);
+        for (const auto& triangle : body.triangles)
+            for (const std::uint32_t corner : triangle) key.add(double(corner));
+        if (body.sphere) key.add(body.sphere->centre).add(body.sphere->radius);
+        key.add(double(body.priority));
+    }
     for (const PlainLamp& lamp : scene.lamps) {
         key.add(double(lamp.shape)).add(double(lamp.two_sided));
         key.add(lamp.centre).add(lamp.half_u).add(lamp.half_v);
     }
+    for (const PlainReceiver& receiver : scene.receivers)
+        key.add(receiver.centre)
+            .add(receiver.half_u)
+            .add(receiver.half_v)
+            .add(receiver.reflectance);
+    for (const PlainSpot& spot : scene.spots)
+        key.add(spot.position).add(spot.direction).add(spot.half_angle_rad);
+    for (const PlainSun& sun : scene.suns) key.add(sun.direction).add(sun.angular_radius_rad);
     for (double nm = kLambdaMin_nm; nm <= kLambdaMax_nm; nm += 5.0) {
         const Wavelength lambda = nm * unit::nm;
-        key.add((*scene.body.index)(lambda).value).add((*scene.surrounding_index)(lambda).value);
+        for (const PlainBody& body : scene.bodies) key.add((*body.index)(lambda).value);
+        key.add((*scene.surrounding_index)(lambda).value);
         for (const PlainLamp& lamp : scene.lamps) key.add((*lamp.radiance)(lambda));
+        for (const PlainSpot& spot : scene.spots) key.add((*spot.intensity)(lambda));
+        for (const PlainSun& sun : scene.suns) key.add((*sun.irradiance)(lambda));
         if (scene.surroundings) key.add((*scene.surroundings)(lambda));
     }
     return key.add(scene.film_from_xyz);
@@ -117,9 +133,12 @@ Key key_of(const BenchScene& scene, const Contestant& contestant, const Knobs& k
 Reference true_picture(const BenchScene& scene, const ReferenceSettings& settings) {
     const int samples = settings.truth_samples;
     const std::string key = key_of(scene.plain).text();
-    return two_halves(
-        settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples), false,
-        [&](std::uint64_t seed) { return exact_picture(scene.plain, samples, seed); });
+    return two_halves(settings.folder, fmt::format("{}-{}-truth-{}", scene.name, key, samples),
+                      false, [&](std::uint64_t seed) {
+                          return scene.plain.has_caustics()
+                                     ? lit_picture(scene.plain, samples, seed)
+                                     : exact_picture(scene.plain, samples, seed);
+                      });
 }
 
 Reference own_limit(const BenchScene& scene, const Contestant& contestant,

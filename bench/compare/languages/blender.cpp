@@ -192,10 +192,10 @@ std::string blender_script(const SceneOrder& order) {
     std::string indices, faces;
     for (const Wavelength primary : kPrimaries)
         indices += fmt::format("{}, ", relative_index(scene, primary));
-    for (const auto& t : scene.body.triangles)
+    for (const auto& t : scene.bodies[0].triangles)
         faces += fmt::format("({}, {}, {}), ", t[0], t[1], t[2]);
-    text += fmt::format("add('body', {}, [{}], glass([{}]))\n", list_of(scene.body.vertices), faces,
-                        indices);
+    text += fmt::format("add('body', {}, [{}], glass([{}]))\n", list_of(scene.bodies[0].vertices),
+                        faces, indices);
     text += world_text(scene.surroundings_colour) + camera_text(scene.camera);
     text += fmt::format(
         "scene.render.threads = {}\nscene.cycles.samples = {}\nscene.cycles.seed = {}\n"

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 
 #include "dewbow/base/error.h"
 #include "dewbow/base/file.h"
@@ -13,12 +15,29 @@
 namespace dewbow::bench {
 
 double relative_index(const PlainScene& scene, Wavelength lambda) {
-    return (*scene.body.index)(lambda).value / (*scene.surrounding_index)(lambda).value;
+    return (*scene.bodies[0].index)(lambda).value / (*scene.surrounding_index)(lambda).value;
 }
 
 std::array<Vec3, 4> corners(const PlainLamp& lamp) {
     const Vec3 c = lamp.centre, u = lamp.half_u, v = lamp.half_v;
     return {c - u - v, c + u - v, c + u + v, c - u + v};
+}
+
+PlainLamp lamp_for(const PlainSun& sun) {
+    constexpr double kDistance_m = 50.0;
+    const Tangents frame = tangents_of(sun.direction);
+    const double sine = std::sin(sun.angular_radius_rad);
+    const double radius = kDistance_m * std::tan(sun.angular_radius_rad);
+    PlainLamp lamp;
+    lamp.name = "sun";
+    lamp.shape = LampShape::disc;
+    lamp.centre = -sun.direction * kDistance_m;
+    lamp.normal = sun.direction;
+    lamp.half_u = frame.t * radius;
+    lamp.half_v = frame.b * radius;
+    lamp.radiance = sun.irradiance;  // its shape alone counts
+    lamp.colour = sun.colour * (1.0 / (std::numbers::pi * sine * sine));
+    return lamp;
 }
 
 std::string joined(Vec3 v, const char* between) {

@@ -18,6 +18,10 @@ double relative_index(const PlainScene& scene, Wavelength lambda);
 /// The four corners of a rectangle, counter-clockwise as seen from where its normal points.
 std::array<Vec3, 4> corners(const PlainLamp& lamp);
 
+/// A disc so far away that it is the sun, for those who know no sun: seen from points a centimetre
+/// apart its place differs by 0.01°.
+PlainLamp lamp_for(const PlainSun& sun);
+
 /// Numbers between commas, in the fewest digits that read back the same.
 std::string joined(Vec3 v, const char* between = ", ");
 std::string joined(const Colour<LinearSrgb>& colour, const char* between = ", ");

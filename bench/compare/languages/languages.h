@@ -12,8 +12,13 @@
 namespace dewbow::bench {
 
 std::unique_ptr<Contestant> find_pov_ray(const Programs& programs);
+std::unique_ptr<Contestant> find_pov_ray_photons(const Programs& programs);
 std::unique_ptr<Contestant> find_blender(const Programs& programs);
 std::unique_ptr<Contestant> find_pbrt(const Programs& programs);
+std::unique_ptr<Contestant> find_pbrt_lightpath(const Programs& programs);
+std::unique_ptr<Contestant> find_pbrt_bdpt(const Programs& programs);
+std::unique_ptr<Contestant> find_pbrt_sppm(const Programs& programs);
+std::unique_ptr<Contestant> find_pbrt_mlt(const Programs& programs);
 std::unique_ptr<Contestant> find_mitsuba(const Programs& programs);
 
 /// What their writers read of an order.
@@ -29,8 +34,10 @@ inline constexpr const char* kPictureFile = "picture.exr";
 
 // Files of each language, as text.
 std::string pov_scene(const SceneOrder& order);
+std::string pov_photon_scene(const SceneOrder& order);
 std::string blender_script(const SceneOrder& order);
-std::string pbrt_scene(const SceneOrder& order);
+/// @param integrator  by pbrt's name.
+std::string pbrt_scene(const SceneOrder& order, const std::string& integrator = "path");
 std::string mitsuba_scene(const SceneOrder& order);
 /// The body as Mitsuba's scene reads it from a file beside: Wavefront OBJ.
 std::string mitsuba_body(const PlainBody& body);

@@ -77,7 +77,7 @@ PlainBody wedge(double index) {
 PlainScene wedge_and_lamps() {
     PlainScene scene;
     scene.camera = camera_at({0.3, 0.25, 4.0}, {0.1, 0.0, 0.0}, 48, 36);
-    scene.body = wedge(kIndex);
+    scene.bodies = {wedge(kIndex)};
     scene.surrounding_index = vacuum();
     const Vec3 eye = scene.camera.eye;
     scene.lamps = {
@@ -158,10 +158,10 @@ double reflectance(double cos_i, double cos_t, double n_i, double n_t) {
 /// Light along a ray that comes to the body from outside, with what is reflected within it. The
 /// body's index is taken to be constant.
 Rgb light_along(const PlainScene& scene, const Ray& ray) {
-    const double n = (*scene.body.index)(550.0 * unit::nm).value;
+    const double n = (*scene.bodies[0].index)(550.0 * unit::nm).value;
     constexpr int kReflections = 12;
     constexpr double kFar = 1e300, kStep = 1e-9;
-    const auto c = crossings(scene.body, ray);
+    const auto c = crossings(scene.bodies[0], ray);
     const bool meets = c && (*c)[0].t > 0.0;
     if (const auto direct = lamp_light(scene, ray, meets ? (*c)[0].t : kFar)) return *direct;
     if (!meets) return {};
@@ -172,7 +172,7 @@ Rgb light_along(const PlainScene& scene, const Ray& ray) {
         r_in * lamp_light(scene, {at, mirrored(ray.along, in.normal)}, kFar).value_or(Rgb{});
     double weight = 1.0 - r_in;
     for (int k = 0; k < kReflections; ++k) {
-        const auto within = crossings(scene.body, {at + along * kStep, along});
+        const auto within = crossings(scene.bodies[0], {at + along * kStep, along});
         if (!within) break;
         const Crossing& out = (*within)[1];
         at += along * out.t;
@@ -290,7 +290,7 @@ TEST_P(LanguagesTest, DispersiveGlassInWhiteSurroundingsIsWhite) {
     scene.lamps.clear();
     scene.surroundings = find_illuminant("D65");
     scene.surroundings_colour = {{1.0, 1.0, 1.0}};
-    scene.body.index = make_dispersion(
+    scene.bodies[0].index = make_dispersion(
         {"sellmeier",
          {1.73759695, 0.013188707, 0.313747346, 0.0623068142, 1.89878101, 155.23629}});  // SF11
     const Picture picture =
@@ -313,7 +313,7 @@ std::string after(const std::string& text, const std::string& key) {
 TEST(Languages, StateTheIndexAsEachUnderstandsIt) {
     PlainScene scene = wedge_and_lamps();
     // n = 1.6 + 0.01 µm²/λ², in air of 1.5: what counts is the ratio.
-    scene.body.index = make_dispersion({"cauchy", {1.6, 0.01}, IndexReference::vacuum});
+    scene.bodies[0].index = make_dispersion({"cauchy", {1.6, 0.01}, IndexReference::vacuum});
     scene.surrounding_index = constant_index(1.5);
     const SceneOrder order{scene, {.spectral_samples = 31}};
     const auto n = [](double um) { return (1.6 + 0.01 / (um * um)) / 1.5; };
@@ -365,7 +365,7 @@ TEST(Languages, PovRaysDispersionIsWhatWeTakeItFor) {
     if (!pov_ray) GTEST_SKIP() << "povray is not on the PATH";
     PlainScene scene = wedge_and_lamps();
     scene.lamps.resize(1);
-    scene.body.index = make_dispersion({"cauchy", {1.4, 0.04}, IndexReference::vacuum});
+    scene.bodies[0].index = make_dispersion({"cauchy", {1.4, 0.04}, IndexReference::vacuum});
     const auto n = [](double um) { return 1.4 + 0.04 / (um * um); };
     const Picture picture = picture_of_contestant(*pov_ray, scene, {2, 256});
     const auto centre = [](const Picture& p) {
@@ -379,7 +379,7 @@ TEST(Languages, PovRaysDispersionIsWhatWeTakeItFor) {
         return sum / light;
     };
     const auto centre_at = [&](double index) {
-        scene.body.index = constant_index(index);
+        scene.bodies[0].index = constant_index(index);
         return centre(exact_picture(scene));
     };
     const Vec3 band = centre_at(n(0.555) * std::pow(n(0.380) / n(0.730), 87.5 / 350.0));

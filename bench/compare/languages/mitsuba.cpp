@@ -49,7 +49,7 @@ public:
 
     std::vector<std::string> write(const Order& order) const override {
         write_file_atomically(order.folder / "scene.xml", mitsuba_scene(scene_order(order)));
-        write_file_atomically(order.folder / kBodyFile, mitsuba_body(order.scene.plain.body));
+        write_file_atomically(order.folder / kBodyFile, mitsuba_body(order.scene.plain.bodies[0]));
         return {
             program_.string(), "-m",       "scalar_rgb", "-t", std::to_string(order.threads), "-o",
             kPictureFile,      "scene.xml"};
