@@ -69,6 +69,9 @@ struct SceneFacts {
     std::map<std::string, PictureErrors>
         limit_error;                    ///< by limit_name: the limit against the truth
     std::vector<std::string> left_out;  ///< runs that would have taken too long or failed, in words
+
+    /// Whether it has a mask "caustic".
+    bool has_caustics() const { return mask_share.count("caustic") != 0; }
 };
 
 struct Measurements {

@@ -25,6 +25,9 @@ std::string report_of(const Measurements& all, const Plan& plan, const Circumsta
 /// what jitter and correlation buy.
 std::string summary_of(const Measurements& all);
 
+/// Of scenes of caustics: what `caustics` has of the errors of the others at equal time.
+std::string caustics_of(const Measurements& all);
+
 /// SVG: error over CPU time against the truth, against contestants' own limits, of the coloured
 /// pixels, and FLIP.
 std::string plot_of(const Measurements& all, const SceneFacts& scene);

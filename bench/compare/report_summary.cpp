@@ -90,7 +90,8 @@ std::string equal_time_rows(const Measurements& all, const SceneFacts& scene) {
 
 std::string equal_time(const Measurements& all) {
     std::string rows;
-    for (const SceneFacts& scene : all.scenes) rows += equal_time_rows(all, scene);
+    for (const SceneFacts& scene : all.scenes)
+        if (!scene.has_caustics()) rows += equal_time_rows(all, scene);
     if (rows.empty()) return {};
     return fmt::format(
                "What `{}` has of the error of others: root mean square error, over theirs, at "
@@ -160,7 +161,7 @@ std::string summary_of(const Measurements& all) {
     std::string aim;
     for (const SceneFacts& scene : all.scenes) aim += aim_sentences(all, scene);
     if (!aim.empty()) aim += '\n';
-    return aim + equal_time(all) + jitter(all);
+    return aim + equal_time(all) + caustics_of(all) + jitter(all);
 }
 
 }  // namespace dewbow::bench

@@ -14,8 +14,12 @@
 
 namespace dewbow::bench {
 
+double relative_index(const PlainScene& scene, const PlainBody& body, Wavelength lambda) {
+    return (*body.index)(lambda).value / (*scene.surrounding_index)(lambda).value;
+}
+
 double relative_index(const PlainScene& scene, Wavelength lambda) {
-    return (*scene.bodies[0].index)(lambda).value / (*scene.surrounding_index)(lambda).value;
+    return relative_index(scene, scene.bodies[0], lambda);
 }
 
 std::array<Vec3, 4> corners(const PlainLamp& lamp) {

@@ -14,6 +14,7 @@ namespace dewbow::bench {
 /// Index of the body against what surrounds it. Our scenes lie in air, whose index others take for
 /// 1.
 double relative_index(const PlainScene& scene, Wavelength lambda);
+double relative_index(const PlainScene& scene, const PlainBody& body, Wavelength lambda);
 
 /// The four corners of a rectangle, counter-clockwise as seen from where its normal points.
 std::array<Vec3, 4> corners(const PlainLamp& lamp);

@@ -7,6 +7,7 @@
 
 #include "common.h"
 #include "dewbow/base/file.h"
+#include "interfaces.h"
 
 // POV-Ray 3.7. Its dispersion: n(λ) = n₀ D^(−(λ − 555 nm)/350 nm), a ray split at the first
 // refraction into N rays at the middles of N equal bands over 380–730 nm, coloured by a table of
@@ -68,9 +69,9 @@ std::string surface_text(const PlainBody& body) {
     return text;
 }
 
-std::string body_text(const SceneOrder& order) {
-    std::string text = surface_text(order.scene.bodies[0]);
-    const auto n = [&](Wavelength lambda) { return relative_index(order.scene, lambda); };
+std::string body_text(const SceneOrder& order, const PlainBody& body) {
+    std::string text = surface_text(body);
+    const auto n = [&](Wavelength lambda) { return relative_index(order.scene, body, lambda); };
     text +=
         "  texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on }"
         " conserve_energy } }\n";
@@ -81,6 +82,37 @@ std::string body_text(const SceneOrder& order) {
     text += " }\n";
     if (order.scene.has_caustics()) text += "  photons { target reflection on refraction on }\n";
     return text + "}\n";
+}
+
+/// What fills a hollow of another body, told as if it lay within that body, and the hollow began at
+/// its upper side, under a film of glass: POV-Ray knows what lies within what, and nothing of
+/// surfaces that two bodies share. Light through the film goes on as without it; of what water
+/// reflects it makes some more.
+std::string bodies_text(const SceneOrder& order) {
+    const PlainScene& scene = order.scene;
+    if (scene.bodies.size() == 1) return body_text(order, scene.bodies[0]);
+    constexpr double kFilm = 0.01;  // of a unit: it misses what is nearer than 1e-4
+    std::vector<PlainBody> told = scene.bodies;
+    for (PlainBody& body : told) body.vertices.clear(), body.triangles.clear();
+    const auto add = [](PlainBody& body, const PlainBody& surface, Vec3 shift) {
+        const auto first = std::uint32_t(body.vertices.size());
+        for (const Vec3 vertex : surface.vertices) body.vertices.push_back(vertex + shift);
+        for (const auto& t : surface.triangles)
+            body.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    };
+    for (const Interface& interface : interfaces_of(scene)) {
+        PlainBody& inside = told[std::size_t(interface.inside)];
+        const bool is_vessel = interface.inside == 0;
+        if (interface.outside >= 0) {
+            add(told[std::size_t(interface.outside)], interface.surface, {});
+        } else {
+            add(told[0], interface.surface, {});
+            if (!is_vessel) add(inside, interface.surface, {0.0, -kFilm, 0.0});
+        }
+    }
+    std::string text;
+    for (const PlainBody& body : told) text += body_text(order, body);
+    return text;
 }
 
 int side(int samples) { return std::max(1, int(std::lround(std::sqrt(double(samples))))); }
@@ -156,9 +188,7 @@ public:
           program_(std::move(program)),
           version_(version_line(program_, "--version", "POV-Ray ")) {}
     std::string name() const override { return photons_ ? "pov-ray-photons" : "pov-ray"; }
-    bool shows(const PlainScene& scene) const override {
-        return scene.has_caustics() == photons_ && scene.bodies.size() == 1;
-    }
+    bool shows(const PlainScene& scene) const override { return scene.has_caustics() == photons_; }
     std::string version() const override { return version_; }
     bool splits_spectrum() const override { return true; }
     bool converges_to_truth() const override { return false; }
@@ -225,7 +255,7 @@ std::string pov_photon_scene(const SceneOrder& metres) {
         text += light_text(in_centimetres(far).lamps[0]);
     }
     for (const PlainReceiver& receiver : scene.receivers) text += receiver_text(receiver);
-    return text + body_text(order);
+    return text + bodies_text(order);
 }
 
 std::string pov_scene(const SceneOrder& order) {
@@ -237,7 +267,7 @@ std::string pov_scene(const SceneOrder& order) {
         joined(order.scene.surroundings_colour));
     text += camera_text(order.scene.camera);
     for (const PlainLamp& lamp : order.scene.lamps) text += lamp_text(lamp);
-    return text + body_text(order);
+    return text + bodies_text(order);
 }
 
 std::unique_ptr<Contestant> find_pov_ray(const Programs& programs) {
