@@ -27,6 +27,23 @@ std::optional<ConvexFaces::Crossing> crossing_of_sphere(const PlainSphere& spher
     return ConvexFaces::Crossing{distance, normalised(from_centre + d * distance)};
 }
 
+Bounds bounds_of(const PlainBody& body) {
+    Bounds bounds;
+    for (const Vec3 vertex : body.vertices) bounds.add(vertex);
+    if (!body.sphere) return bounds;
+    const Vec3 r{body.sphere->radius, body.sphere->radius, body.sphere->radius};
+    bounds.add(body.sphere->centre - r);
+    bounds.add(body.sphere->centre + r);
+    return bounds;
+}
+
+bool misses(Vec3 centre, double radius, Vec3 origin, Vec3 d) {
+    const Vec3 from_centre = origin - centre;
+    const double along = dot(from_centre, d);
+    const double beyond2 = dot(from_centre, from_centre) - radius * radius;
+    return beyond2 > 0.0 && (along > 0.0 || along * along < beyond2);
+}
+
 void add_all(Bounds& bounds, const PlainLamp& form) {
     for (const double u : {-1.0, 1.0})
         for (const double v : {-1.0, 1.0})
@@ -36,9 +53,13 @@ void add_all(Bounds& bounds, const PlainLamp& form) {
 }  // namespace
 
 Things::Body Things::body_of(const PlainBody& plain) {
+    /// Rounding must not cut off a corner.
+    constexpr double kWider = 1.0 + 1e-9;
     Body body;
     body.sphere = plain.sphere;
     body.priority = plain.priority;
+    const Bounds bounds = bounds_of(plain);
+    body.around = {bounds.centre(), bounds.radius() * kWider};
     if (body.sphere) return body;
     if (plain.triangles.empty())
         throw InputError("the body '" + plain.name + "' has neither faces nor radius");
@@ -65,11 +86,9 @@ Things::Things(const PlainScene& scene) {
     Bounds bounds;
     for (const PlainBody& plain : scene.bodies) {
         bodies_.push_back(body_of(plain));
-        for (const Vec3 vertex : plain.vertices) bounds.add(vertex);
-        if (!plain.sphere) continue;
-        const Vec3 r{plain.sphere->radius, plain.sphere->radius, plain.sphere->radius};
-        bounds.add(plain.sphere->centre - r);
-        bounds.add(plain.sphere->centre + r);
+        const Bounds of_body = bounds_of(plain);
+        bounds.add(of_body.low);
+        bounds.add(of_body.high);
     }
     around_bodies_ = {bounds.centre(), bounds.radius()};
     for (const PlainReceiver& r : scene.receivers)
@@ -84,6 +103,7 @@ Things::Things(const PlainScene& scene) {
 std::optional<ConvexFaces::Crossing> Things::crossing(const Body& body, Vec3 origin, Vec3 d,
                                                       bool inside) {
     if (body.sphere) return crossing_of_sphere(*body.sphere, origin, d, inside);
+    if (!inside && misses(body.around.centre, body.around.radius, origin, d)) return std::nullopt;
     if (body.faces) {
         if (inside) return body.faces->exit(origin, d);
         return body.faces->entry(origin, d);

@@ -58,6 +58,7 @@ private:
         std::optional<ConvexFaces> faces;  ///< of a convex body,
         std::vector<Triangle> triangles;   ///< of another one
         int priority = 0;
+        Ball around;
     };
     struct Flat {
         PlainLamp form;
