@@ -32,6 +32,8 @@ bool may_be_body(const Scene& scene, const Material& material) {
            may_be_body(scene, scene.materials[std::size_t(mix->second)]);
 }
 
+bool is_clear(const Medium& medium) { return !medium.absorption && !medium.scattering; }
+
 bool same_index(const Dispersion& a, const Dispersion& b) {
     std::array<double, kProbe_nm.size()> n_a, n_b;
     a.eval_lanes(kProbe_nm, n_a);
@@ -144,9 +146,17 @@ void PacketMedia::fill(Entry& e, int id) {
     const Medium& medium = table_.medium(id);
     const auto lambdas = packet_.lambdas();
     medium.index->eval_lanes(lambdas, std::span(e.index).first(lambdas.size()));
-    e.absorbs = medium.absorption != nullptr;
-    if (e.absorbs)
-        medium.absorption->eval_lanes(lambdas, std::span(e.absorption).first(lambdas.size()));
+    e.dims = !is_clear(medium);
+    e.scatters = medium.scattering != nullptr;
+    if (!e.dims) return;
+    const auto extinction = std::span(e.extinction).first(lambdas.size());
+    if (medium.absorption)
+        medium.absorption->eval_lanes(lambdas, extinction);
+    else
+        std::fill(extinction.begin(), extinction.end(), 0.0);
+    if (!e.scatters) return;
+    medium.scattering->eval_lanes(lambdas, std::span(e.scattering).first(lambdas.size()));
+    for (std::size_t k = 0; k < lambdas.size(); ++k) extinction[k] += e.scattering[k];
 }
 
 MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
@@ -172,8 +182,8 @@ std::vector<bool> see_through_shapes(const Scene& scene) {
     std::vector<bool> clear, bends;  // one a material
     for (const Material& material : scene.materials) {
         const Dielectric* d = dielectric_of(material);
-        clear.push_back(d && !material.gives_light() && !d->tint && !d->interior->absorption &&
-                        !scene.surroundings->absorption &&
+        clear.push_back(d && !material.gives_light() && !d->tint && is_clear(*d->interior) &&
+                        is_clear(*scene.surroundings) &&
                         same_index(*d->interior->index, *scene.surroundings->index));
         bends.push_back(!clear.back() && may_be_body(scene, material));
     }

@@ -45,8 +45,8 @@ private:
     std::vector<int> interior_;
 };
 
-/// Index and absorption of each medium at the wavelengths of one packet, computed when first asked
-/// for.
+/// Index, extinction and scattering of each medium at the wavelengths of one packet, computed when
+/// first asked for.
 class PacketMedia {
 public:
     explicit PacketMedia(const MediaTable& table)
@@ -57,18 +57,25 @@ public:
 
     /// Absolute index of medium `id` at each lane of the packet.
     const std::array<double, kMaxLanes>& index(int id) { return entry(id).index; }
-    /// Absorption coefficient in m⁻¹ at each lane, or nullptr if clear.
-    const std::array<double, kMaxLanes>* absorption(int id) {
+    /// Extinction coefficient, absorption and scattering together, in m⁻¹ at each lane; nullptr if
+    /// the medium is clear.
+    const std::array<double, kMaxLanes>* extinction(int id) {
         Entry& e = entry(id);
-        return e.absorbs ? &e.absorption : nullptr;
+        return e.dims ? &e.extinction : nullptr;
+    }
+    /// Scattering coefficient in m⁻¹ at each lane; nullptr if the medium scatters nothing.
+    const std::array<double, kMaxLanes>* scattering(int id) {
+        Entry& e = entry(id);
+        return e.scatters ? &e.scattering : nullptr;
     }
 
 private:
     struct Entry {
         std::uint64_t generation = 0;
-        bool absorbs = false;
+        bool dims = false, scatters = false;
         alignas(64) std::array<double, kMaxLanes> index;
-        alignas(64) std::array<double, kMaxLanes> absorption;
+        alignas(64) std::array<double, kMaxLanes> extinction;
+        alignas(64) std::array<double, kMaxLanes> scattering;
     };
     Entry& entry(int id) {
         Entry& e = entries_[std::size_t(id)];
@@ -97,8 +104,8 @@ MediaStack media_at(Vec3 point, const Scene& scene, const MediaTable& media,
                     const Accelerator& accelerator);
 
 /// One a shape: whether it is not there for light, and shadow rays go through it: its boundary
-/// neither bends nor absorbs anything against the surroundings, which do not absorb either, and no
-/// body that bends light comes near it.
+/// neither bends nor dims anything against the surroundings, which are clear too, and no body that
+/// bends light comes near it.
 std::vector<bool> see_through_shapes(const Scene& scene);
 
 }  // namespace dewbow

@@ -83,9 +83,30 @@ TEST(PacketMedia, AreThoseOfTheirPacket) {
         media.begin(packet);
         for (std::size_t k = 0; k < 8; ++k) {
             EXPECT_EQ(media.index(1)[k], (*flint->index)(packet.lambda_nm[k] * unit::nm).value);
-            EXPECT_EQ((*media.absorption(1))[k], 3.0);
+            EXPECT_EQ((*media.extinction(1))[k], 3.0);
         }
-        EXPECT_EQ(media.absorption(0), nullptr);
+        EXPECT_EQ(media.extinction(0), nullptr);
+        EXPECT_EQ(media.scattering(1), nullptr);
+    }
+}
+
+TEST(PacketMedia, ExtinctionIsAbsorptionAndScattering) {
+    Scene scene = make_empty_scene();
+    Medium haze = *scene.surroundings;
+    haze.scattering = make_tabulated({400, 700}, {4.0, 1.0}, OutsideTable::hold);
+    haze.phase = henyey_greenstein(0.0);
+    scene.surroundings = std::make_shared<Medium>(haze);
+    haze.absorption = make_constant(0.5);
+    add_sphere(scene, 1.0, std::make_shared<Medium>(haze));
+    const MediaTable table(scene);
+    PacketMedia media(table);
+    const WavelengthPacket packet = sample_wavelengths(WavelengthSampling::visual, 8, 0.3);
+    media.begin(packet);
+    for (std::size_t k = 0; k < 8; ++k) {
+        const double expected = (*haze.scattering)(packet.lambda_nm[k] * unit::nm);
+        for (const int id : {0, 1}) EXPECT_EQ((*media.scattering(id))[k], expected);
+        EXPECT_EQ((*media.extinction(0))[k], expected);
+        EXPECT_EQ((*media.extinction(1))[k], expected + 0.5);
     }
 }
 
@@ -116,6 +137,11 @@ TEST(SeeThrough, OnlyWhatIsNotThere) {
     EXPECT_EQ(see_through_shapes(scene), (std::vector<bool>{true, false, false, false}));
     scene.surroundings = like_air(make_constant(1.0));
     EXPECT_EQ(see_through_shapes(scene), (std::vector<bool>{false, false, false, false}));
+    Medium haze{"", air()};
+    haze.scattering = make_constant(1.0);
+    haze.phase = henyey_greenstein(0.0);
+    scene.surroundings = std::make_shared<Medium>(haze);
+    EXPECT_FALSE(see_through_shapes(scene)[0]) << "clear air in haze";
 }
 
 }  // namespace

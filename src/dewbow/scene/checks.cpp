@@ -87,6 +87,9 @@ void check_medium(const std::string& who, const MediumPtr& medium) {
     if (!medium) fail(who, "its medium is missing");
     if (!medium->index) fail(who, "its medium has no index of refraction");
     if (medium->absorption) check_spectrum(who, "absorption", medium->absorption);
+    if (!medium->scattering) return;
+    check_spectrum(who, "scattering", medium->scattering);
+    if (!medium->phase) fail(who, "its medium scatters, but has no phase function");
 }
 
 void check_finite(const std::string& who, const char* what, Vec3 v) {

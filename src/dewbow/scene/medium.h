@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dewbow/optics/dispersion.h"
+#include "dewbow/optics/phase_function.h"
 #include "dewbow/spectrum/spectrum.h"
 
 namespace dewbow {
@@ -18,6 +19,9 @@ struct Medium {
     SpectrumPtr absorption;
     /// Where bodies overlap, the one of higher priority fills the overlap. [Schmidt & Budge 2002]
     int priority = 0;
+    /// Scattering coefficient by wavelength, in m⁻¹; nullptr = clear. Haze has both or neither.
+    SpectrumPtr scattering = nullptr;
+    PhaseFunctionPtr phase = nullptr;
 };
 using MediumPtr = std::shared_ptr<const Medium>;
 

@@ -21,6 +21,12 @@ Shape shape_of(Geometry geometry, const Affine& affine = {}) {
     return {"thing", std::move(geometry), Transform<World, Object>(affine), 0};
 }
 
+MediumPtr hazy(Medium medium, double scattering, PhaseFunctionPtr phase) {
+    medium.scattering = make_constant(scattering);
+    medium.phase = std::move(phase);
+    return std::make_shared<Medium>(std::move(medium));
+}
+
 void expect_bounds(const Bounds& bounds, Vec3 low, Vec3 high) {
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(bounds.low[axis], low[axis], kRounding) << "axis " << axis;
@@ -201,6 +207,10 @@ const Fault kFaults[] = {
     {[](Scene& s) { s.render.packet = 2; }, "render: packet is 2"},
     {[](Scene& s) { s.render.max_depth = -1; }, "the greatest depth is -1"},
     {[](Scene& s) { s.surroundings = nullptr; }, "surroundings: its medium is missing"},
+    {[](Scene& s) { s.surroundings = hazy(*s.surroundings, -1.0, henyey_greenstein(0.0)); },
+     "surroundings: scattering is -1 at 360 nm"},
+    {[](Scene& s) { s.surroundings = hazy(*s.surroundings, 1.0, nullptr); },
+     "surroundings: its medium scatters, but has no phase function"},
     {[](Scene& s) { s.materials[0].surface = Diffuse{}; },
      "material \"grey\": reflectance is missing"},
     {[](Scene& s) { s.materials[0].surface = Diffuse{make_constant(1.1)}; },

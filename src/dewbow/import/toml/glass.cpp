@@ -17,6 +17,7 @@ constexpr Range kAbbeRange{1.0, 1e6};
 constexpr Range kDispersivePowerRange{0.0, 1e3};
 constexpr Range kRangeRange{1.0, 1e9};  ///< wavelengths in nm
 constexpr Range kTransmittanceRange{0.0, 1.0, true, false};
+constexpr Range kAnisotropyRange{-1.0, 1.0, true, true};
 
 const std::vector<std::string>& form_names() {
     static const std::vector<std::string> names = [] {
@@ -91,6 +92,16 @@ SpectrumPtr read_absorption(Table& table) {
     return make_absorption({{rgb.x, rgb.y, rgb.z}}, table.require_length("absorption_depth"));
 }
 
+void read_scattering(Table& table, Medium& medium) {
+    const TomlValue* spectrum = table.find("scattering_per_m");
+    const auto anisotropy = table.find_number("anisotropy", kAnisotropyRange);
+    if (anisotropy && !spectrum) table.fail_here("has anisotropy, but no scattering_per_m");
+    if (!spectrum) return;
+    medium.scattering =
+        read_spectrum(table.document(), *spectrum, "scattering_per_m", SpectrumUse::scattering);
+    medium.phase = henyey_greenstein(anisotropy.value_or(0.0));
+}
+
 }  // namespace
 
 DispersionPtr read_index(Table& table, Diagnostics* notes) {
@@ -114,6 +125,7 @@ MediumPtr read_medium(Table& table, const std::string& name, int priority, Diagn
     medium->index = read_index(table, notes);
     medium->absorption = read_absorption(table);
     medium->priority = priority;
+    read_scattering(table, *medium);
     return medium;
 }
 

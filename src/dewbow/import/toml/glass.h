@@ -3,7 +3,7 @@
 
 // What fills a body, as scene files write it: an index by `glass` (a name of the catalogue), by
 // `dispersion` (a formula), by `ior` with `abbe`, or by the paper's `eta_red` and `w`; and how it
-// absorbs.
+// absorbs and scatters.
 
 #include "dewbow/import/toml/table.h"
 #include "dewbow/scene/medium.h"
@@ -15,7 +15,8 @@ namespace dewbow::toml_import {
 /// @param notes  gets what has to be said of a glass (named_glass.h), unless nullptr.
 DispersionPtr read_index(Table& table, Diagnostics* notes);
 
-/// read_index, and `absorption_per_m` or `absorption_colour` with `absorption_depth_*`.
+/// read_index; `absorption_per_m` or `absorption_colour` with `absorption_depth_*`;
+/// `scattering_per_m` with `anisotropy` = 0.
 MediumPtr read_medium(Table& table, const std::string& name, int priority, Diagnostics* notes);
 
 }  // namespace dewbow::toml_import

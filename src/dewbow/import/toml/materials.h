@@ -7,7 +7,7 @@
 //     type = "diffuse"             reflectance
 //     type = "mirror"              reflectance = 1
 //     type = "glass"               glass | dispersion | ior [abbe], roughness = 0, tint,
-//                                  absorption…, priority = 0
+//                                  absorption…, scattering…, priority = 0
 //     type = "thin-glass"          glass | dispersion | ior [abbe], roughness = 0, tint
 //     type = "metal"               metal | n and k, roughness = 0
 //     type = "metallic-roughness"  base_colour, metalness = 1, roughness = 1, ior = 1.5,

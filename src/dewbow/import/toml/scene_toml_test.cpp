@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 #include "dewbow/spectrum/cie.h"
@@ -213,6 +214,28 @@ TEST(SceneTomlMaterials, Absorption) {
         "scale = 10}");
     EXPECT_NEAR(at(table.interior->absorption, 500), 30.0, kRounding);
     EXPECT_NEAR(at(table.interior->absorption, 800), 40.0, kRounding);  // held
+}
+
+TEST(SceneTomlMaterials, Scattering) {
+    const auto phase = [](const Medium& medium, double cosine) {
+        const std::array<double, 1> lambda_nm{550.0};
+        std::array<double, 1> p;
+        medium.phase->eval_lanes(cosine, lambda_nm, p);
+        return p[0];
+    };
+    const auto milk = surface<Dielectric>(
+        "type = \"glass\"\nior = 1.35\nscattering_per_m = {lambda_nm = [400, 600], values = [4, "
+        "2]}");
+    EXPECT_NEAR(at(milk.interior->scattering, 500), 3.0, kRounding);
+    EXPECT_NEAR(at(milk.interior->scattering, 800), 2.0, kRounding);  // held
+    EXPECT_NEAR(phase(*milk.interior, 1.0), 0.25 / std::numbers::pi, kRounding);
+    const MediumPtr air = parse(
+                              "[surroundings]\nglass = \"air\"\nscattering_per_m = 0.1\n"
+                              "anisotropy = 0.5")
+                              .scene.surroundings;
+    EXPECT_NEAR(at(air->scattering, 500), 0.1, kRounding);
+    // (1 + g) / (1 − g)² / 4π forward.
+    EXPECT_NEAR(phase(*air, 1.0), 1.5 / std::numbers::pi, kRounding);
 }
 
 TEST(SceneTomlMaterials, MixesNameWhatStandsBelow) {

@@ -18,8 +18,11 @@ constexpr Range kLineWidths{0.01, 100.0};
 constexpr Range kBlackbodyRange{500.0, 1e6};
 
 bool is_light(SpectrumUse use) {
-    return use != SpectrumUse::share && use != SpectrumUse::absorption && use != SpectrumUse::index;
+    return use == SpectrumUse::radiance || use == SpectrumUse::intensity ||
+           use == SpectrumUse::irradiance;
 }
+
+bool may_be_colour(SpectrumUse use) { return is_light(use) || use == SpectrumUse::share; }
 
 const Range& range_of(SpectrumUse use) {
     return use == SpectrumUse::share ? kShareRange : kAmountRange;
@@ -27,11 +30,11 @@ const Range& range_of(SpectrumUse use) {
 
 SpectrumPtr spectrum_of_rgb(const TomlDocument& document, const TomlValue& value,
                             std::string_view name, SpectrumUse use) {
-    if (use == SpectrumUse::absorption || use == SpectrumUse::index) {
+    if (!may_be_colour(use)) {
         fail(document, value.place, fmt::format("{} is no colour", name),
-             use == SpectrumUse::index ? "write a number or { lambda_nm, values }"
-                                       : "write a number, { lambda_nm, values }, or "
-                                         "absorption_colour with absorption_depth_mm");
+             use == SpectrumUse::absorption ? "write a number, { lambda_nm, values }, or "
+                                              "absorption_colour with absorption_depth_mm"
+                                            : "write a number or { lambda_nm, values }");
     }
     const Vec3 v = read_vec3(document, value, name, range_of(use));
     const Colour<LinearSrgb> rgb{{v.x, v.y, v.z}};
@@ -127,7 +130,7 @@ SpectrumPtr spectrum_of_table(const TomlDocument& document, const TomlValue& val
     if (!spectrum) {
         if (const TomlValue* lambdas = table.find("lambda_nm")) {
             spectrum = tabulated_of(table, *lambdas, use);
-        } else if (use == SpectrumUse::absorption || use == SpectrumUse::index) {
+        } else if (!may_be_colour(use)) {
             table.finish();
             table.fail_here("needs lambda_nm and values");
         } else if (const TomlValue* rgb = table.find("rgb")) {

@@ -22,6 +22,7 @@ namespace dewbow::toml_import {
 enum class SpectrumUse {
     share,       ///< a reflectance, a tint: 0 to 1
     absorption,  ///< m⁻¹
+    scattering,  ///< m⁻¹
     index,       ///< n or k of a metal
     radiance,    ///< W m⁻² sr⁻¹ nm⁻¹
     intensity,   ///< W sr⁻¹ nm⁻¹

@@ -170,7 +170,7 @@ bool RayTree::too_weak(const BandValues& beta) const {
 
 void RayTree::absorb(RayFamily& family, BandValues& beta, MediaStack media, double distance) {
     for (BandBlock& block : family.bands.blocks()) {
-        const auto* sigma = block.media.absorption(media.interior());
+        const auto* sigma = block.media.extinction(media.interior());
         if (!sigma) return;
         for (int k = 0; k < block.lanes.count; ++k)
             beta[block.first + k] *= std::exp(-(*sigma)[std::size_t(k)] * distance);

@@ -88,19 +88,24 @@ private:
     const SpectralModel& model_;
 };
 
-/// Media whose indices are straight lines. What was one medium stays one.
-class ToLines {
+/// Media that scatter nothing, and whose indices are straight lines if asked for. What was one
+/// medium stays one.
+class ToldMedia {
 public:
-    explicit ToLines(SpectralSpacing spacing) : spacing_(spacing) {}
+    explicit ToldMedia(const Distributed1989Settings& settings)
+        : lines_(settings.index == IndexSource::linear), spacing_(settings.model.spacing) {}
 
     void operator()(MediumPtr& medium) {
-        MediumPtr& line = lines_[medium];
-        if (!line) {
+        if (!lines_ && !medium->scattering) return;
+        MediumPtr& told = told_[medium];
+        if (!told) {
             Medium copy = *medium;
             copy.index = of(copy.index);
-            line = std::make_shared<const Medium>(std::move(copy));
+            copy.scattering = nullptr;
+            copy.phase = nullptr;
+            told = std::make_shared<const Medium>(std::move(copy));
         }
-        medium = line;
+        medium = told;
     }
     void operator()(Material& material) {
         if (auto* glass = std::get_if<Dielectric>(&material.surface)) (*this)(glass->interior);
@@ -110,11 +115,12 @@ public:
 
 private:
     DispersionPtr of(const DispersionPtr& real) const {
-        return paper_index_of(real, IndexReading::intended, spacing_);
+        return lines_ ? paper_index_of(real, IndexReading::intended, spacing_) : real;
     }
 
+    bool lines_;
     SpectralSpacing spacing_;
-    std::map<MediumPtr, MediumPtr> lines_;
+    std::map<MediumPtr, MediumPtr> told_;
 };
 
 }  // namespace
@@ -152,11 +158,9 @@ RgbBasis reflectance_basis_in_channels(const SpectralModel& model) {
 Scene scene_of_1989(const Scene& scene, const SpectralModel& model) {
     const Distributed1989Settings& settings = scene.render.distributed_1989;
     Scene told = scene;
-    if (settings.index == IndexSource::linear) {
-        ToLines to_lines(settings.model.spacing);
-        to_lines(told.surroundings);
-        for (Material& material : told.materials) to_lines(material);
-    }
+    ToldMedia told_media(settings);
+    told_media(told.surroundings);
+    for (Material& material : told.materials) told_media(material);
     if (settings.transport == RgbOrSpectral::rgb) {
         const ToChannels to_channels(model);
         for (Material& material : told.materials) {

@@ -102,5 +102,20 @@ TEST(SceneOf1989, IndicesAreLinesAndColoursChannelsIfSettingsSaySo) {
     EXPECT_EQ(same.materials[2].emission, scene.materials[2].emission);
 }
 
+TEST(SceneOf1989, HasNoHaze) {
+    Scene scene = make_empty_scene();
+    Medium haze = *scene.surroundings;
+    haze.absorption = make_constant(2.0);
+    haze.scattering = make_constant(1.0);
+    haze.phase = henyey_greenstein(0.0);
+    scene.surroundings = std::make_shared<Medium>(haze);
+    for (const IndexSource index : {IndexSource::linear, IndexSource::scene}) {
+        scene.render.distributed_1989.index = index;
+        const MediumPtr told = scene_of_1989(scene, *model()).surroundings;
+        EXPECT_FALSE(told->scattering);
+        EXPECT_EQ(told->absorption, haze.absorption);
+    }
+}
+
 }  // namespace
 }  // namespace dewbow::distributed_1989
