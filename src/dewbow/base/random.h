@@ -28,6 +28,7 @@ enum class Purpose : std::uint32_t {
     test,
     impact_parameter,  ///< of a ray on a drop
     spectral_offset,   ///< of a sample of the spectrum within its interval
+    haze,              ///< a point of haze and its light, or what sees it
 };
 
 /// A bijection of 64 bits in which every output bit depends on every input bit.

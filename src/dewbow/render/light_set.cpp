@@ -70,6 +70,17 @@ void LightSet::build_tree() {
     tree_.emplace(bounds);
 }
 
+std::vector<LightBounds> LightSet::near_bounds() const {
+    std::vector<LightBounds> all;
+    for (const GlowingShape& shape : shapes_) {
+        LightBounds whole = shape.bounds(0);
+        for (int part = 1; part < shape.parts(); ++part) whole = join(whole, shape.bounds(part));
+        all.push_back(whole);
+    }
+    for (const PunctualLight& light : punctual_) all.push_back(light.bounds());
+    return all;
+}
+
 double LightSet::beam_irradiance(const Receiver& receiver) const {
     double sum = 0.0;
     for (const Beam& beam : beams_) sum += beam.irradiance(receiver);

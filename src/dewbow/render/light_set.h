@@ -77,6 +77,11 @@ public:
                            LaneValues& out) const;
     double pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction) const;
 
+    /// What is known of each light of the tree, of a glowing shape as a whole.
+    std::vector<LightBounds> near_bounds() const;
+    /// Brightness of the irradiance by all lights that are infinitely far, about.
+    double far_irradiance() const { return far_irradiance_; }
+
 private:
     /// Of the choices at one receiver, what falls on each group of lights; they sum to 1, or are
     /// all 0.

@@ -3,6 +3,7 @@
 
 #include "dewbow/render/accelerator.h"
 #include "dewbow/render/camera_ray.h"
+#include "dewbow/render/haze/haze.h"
 #include "dewbow/render/light_set.h"
 #include "dewbow/render/media.h"
 #include "dewbow/render/scene_opacity.h"
@@ -22,6 +23,7 @@ struct PreparedScene {
     Accelerator accelerator;
     LightSet lights;
     CameraRays camera;
+    std::optional<Haze> haze;         ///< where some medium scatters
     MediaStack camera_media;          ///< what the camera stands in
     std::vector<Colour<Xyz>> albedo;  ///< one a material, for the albedo layer
     std::vector<bool> varies;         ///< one a material: surface_varies

@@ -76,12 +76,13 @@ void PacketWalk::trace_open(OpenPath path) {
 void PacketWalk::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
     const auto i = std::size_t(k);
     const Hit& hit = hits[i];
+    if (in_haze(path.media[i], path.depth)) on_haze(lane_of(path, k), hit);
     if (!hit) {
         on_leaving(lane_of(path, k));
         path.active &= ~(1u << k);
         return;
     }
-    if (const auto* sigma = packet_media().absorption(path.media[i].interior()))
+    if (const auto* sigma = packet_media().extinction(path.media[i].interior()))
         path.beta[k] *= std::exp(-(*sigma)[std::size_t(path.lanes.id[i])] * hit.t);
     if (prepared_.lights.emits(hit, path.rays.direction(k))) on_lamp(lane_of(path, k), hit);
 }

@@ -52,6 +52,7 @@ struct OpenPath {
     int depth = 0;
     std::uint32_t branch = 0;
     LaneMask hidden = 0;
+    bool scattered = false;  ///< as of SharedPath
     std::array<LastTurn, kMaxLanes> last;
     LaneValues note;
 };

@@ -59,8 +59,20 @@ bool PacketWalk::dispersive(const LaneValues& eta, int count) {
     return false;
 }
 
+/// Of the medium that a path lies in, which scatters.
+HazeLanes PacketWalk::haze_around(const LaneSet& lanes, MediaStack media) {
+    const auto& scattering = *packet_media().scattering(media.interior());
+    const auto& extinction = *packet_media().extinction(media.interior());
+    HazeLanes haze;
+    for (int k = 0; k < lanes.count; ++k) {
+        const auto id = std::size_t(lanes.id[std::size_t(k)]);
+        haze.scattering[k] = scattering[id], haze.extinction[k] = extinction[id];
+    }
+    return haze;
+}
+
 void PacketWalk::absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance) {
-    const auto* sigma = packet_media().absorption(media.interior());
+    const auto* sigma = packet_media().extinction(media.interior());
     if (!sigma) return;
     for (int k = 0; k < lanes.count; ++k)
         beta[k] *= std::exp(-(*sigma)[std::size_t(lanes.id[std::size_t(k)])] * distance);
@@ -116,6 +128,7 @@ SharedPath PacketWalk::lane_of(const OpenPath& path, int k) const {
     lane.media = path.media[i];
     lane.depth = path.depth;
     lane.branch = path.branch;
+    lane.scattered = path.scattered;
     lane.split = true;
     lane.hidden = path.hidden >> k & 1u;
     lane.last = path.last[i];

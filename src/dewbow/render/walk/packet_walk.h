@@ -55,6 +55,11 @@ struct RoughGlass {
     const RoughDielectric& surface;  ///< in `frame`, seen from where the path comes from
 };
 
+/// What a medium does to the lanes of a path, m⁻¹.
+struct HazeLanes {
+    LaneValues scattering, extinction;
+};
+
 class PacketWalk {
 public:
     PacketWalk(Start start, const PreparedScene& prepared, const WavelengthPacket& packet,
@@ -86,6 +91,9 @@ protected:
     virtual void on_rough_turn(SharedPath&, const RoughGlass&) {}
     /// It ran into the glowing side of a surface that gives light.
     virtual void on_lamp(const SharedPath&, const Hit&) {}
+    /// It goes through haze to the surface that it meets, if any. What the haze takes away on that
+    /// way has not been taken yet.
+    virtual void on_haze(const SharedPath&, const Hit&) {}
     /// It ran into nothing.
     virtual void on_leaving(const SharedPath&) {}
     /// The number in [0, 1) by which opened lanes choose between reflection and refraction.
@@ -109,9 +117,14 @@ protected:
     /// Seen from vertex.wo, in `media`.
     ScatteringSurface surface_at(const LaneSet& lanes, MediaStack media, const Vertex& vertex,
                                  const LocalFrame& frame, const Material& material);
+    HazeLanes haze_around(const LaneSet& lanes, MediaStack media);
     void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
     void tint(const ColourInput& tint, const Vertex& vertex, const LaneSet& lanes,
               LaneValues& beta);
+    /// Of a path's next flight.
+    static std::uint32_t flight_key(const SharedPath& path) {
+        return vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
+    }
     static std::uint32_t vertex_key(int depth, std::uint32_t branch) {
         return std::uint32_t(depth) + branch * 0x9e3779b9u;  // 2³² / golden ratio: far apart
     }
@@ -159,6 +172,11 @@ private:
     const Material& material(int id) const { return prepared_.scene.materials[std::size_t(id)]; }
     bool has_true_normals(int shape) const;
     double shading_factor(const Vertex& vertex, Vec3 shading, Vec3 next) const;
+    /// Whether light is scattered on the way there, and such paths are looked for.
+    bool in_haze(MediaStack media, int depth) {
+        return prepared_.haze && depth < settings_.max_depth &&
+               packet_media().scattering(media.interior());
+    }
     bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);
     void index_around(const LaneSet& lanes, MediaStack media, LaneValues& index);

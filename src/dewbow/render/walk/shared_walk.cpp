@@ -43,6 +43,7 @@ void PacketWalk::finish_pending() {
 void PacketWalk::trace(SharedPath path) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(path.ray);
+        if (in_haze(path.media, path.depth)) on_haze(path, hit);
         if (hit && !path.from_afar) absorb(path.lanes, path.beta, path.media, hit.t);
         path.from_afar = false;
         if (!hit) {
@@ -65,9 +66,7 @@ void PacketWalk::trace(SharedPath path) {
 /// Takes the path past one surface. False: it ends here.
 bool PacketWalk::interact(SharedPath& path, const Hit& hit) {
     const Vertex vertex = vertex_at(path.ray, hit);
-    const std::uint32_t at =
-        vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
-    const int id = material_at(path.ray, hit, at);
+    const int id = material_at(path.ray, hit, flight_key(path));
     const Material& material = this->material(id);
     on_surface(path, vertex, id);
     if (const auto* glass = std::get_if<Dielectric>(&material.surface))
@@ -240,6 +239,7 @@ void PacketWalk::open_transmitted(const SharedPath& path, const Vertex& vertex,
     open.depth = path.depth + 1;
     open.branch = ++branches_;
     open.rays.count = path.lanes.count;
+    open.scattered = path.scattered;
     open.media.fill(boundary.after);
     open.note.v.fill(path.note);
     const double cos_i = std::min(1.0, dot(vertex.wo, normal));
@@ -267,6 +267,7 @@ bool PacketWalk::rough(SharedPath& path, const Hit& hit, const Dielectric& glass
     open.branch = ++branches_;
     open.rays.count = path.lanes.count;
     open.active = (1u << path.lanes.count) - 1u;
+    open.scattered = path.scattered;
     open.media.fill(path.media);
     open.hidden = path.hidden ? open.active : 0;
     open.note.v.fill(path.note);
