@@ -27,9 +27,12 @@ public:
 
 private:
     bool on_scatterer(const walk::SharedPath& path, const walk::Scatterer& at) override;
+    void on_haze(const walk::SharedPath& path, const Hit& hit) override;
     void splat(const walk::SharedPath& path, const walk::Scatterer& at);
     void splat(const walk::SharedPath& path, const walk::Scatterer& at, const Seen& seen);
     void on_rough_turn(walk::SharedPath& lane, const walk::RoughGlass& at) override;
+    void splat(const walk::SharedPath& path, const LaneSet& lanes, Vec3 point,
+               const LaneValues& scattered);
     double weight(double note, double ratio) const;
     double density_of_direct(Vec3 receiver);
 
