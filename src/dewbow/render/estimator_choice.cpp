@@ -7,6 +7,7 @@
 
 #include "dewbow/render/caustics/casters.h"
 #include "dewbow/render/light_share.h"
+#include "dewbow/render/media.h"
 #include "dewbow/render/surface/scattering_surface.h"
 
 namespace dewbow {
@@ -41,7 +42,8 @@ std::string reason_in_description(const Scene& scene) {
         return "nothing here bends or mirrors light";
     if (scene.lights.empty() && !any([](const Material& m) { return m.gives_light(); }))
         return "nothing here gives light";
-    if (!any([&](const Material& m) { return scatters(scene, m); }))
+    if (!any([&](const Material& m) { return scatters(scene, m); }) &&
+        !MediaTable(scene).scatters())
         return "nothing here scatters light";
     return {};
 }

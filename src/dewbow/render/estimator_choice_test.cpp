@@ -95,6 +95,16 @@ TEST(EstimatorChoice, IsCausticsWhereLightComesThroughGlass) {
     EXPECT_EQ(choice.estimator->light_paths(), 1.0);
 }
 
+TEST(EstimatorChoice, IsCausticsWhereHazeIsAllThatScatters) {
+    Scene scene = wall_below_pane();
+    scene.materials[0] = {"black", Black{}, {}};
+    Medium haze = *scene.surroundings;
+    haze.scattering = make_constant(0.1);
+    haze.phase = henyey_greenstein(0.0);
+    scene.surroundings = std::make_shared<Medium>(haze);
+    EXPECT_EQ(choose_estimator(scene).row.name, "caustics");
+}
+
 void expect_path(const Scene& scene, const std::string& reason) {
     const EstimatorChoice choice = choose_estimator(scene);
     EXPECT_EQ(choice.row.name, "path");

@@ -136,6 +136,11 @@ MediaTable::MediaTable(const Scene& scene) : interior_(scene.materials.size(), -
     }
 }
 
+bool MediaTable::scatters() const {
+    return std::any_of(media_.begin(), media_.end(),
+                       [](const MediumPtr& medium) { return medium->scattering != nullptr; });
+}
+
 void PacketMedia::begin(const WavelengthPacket& packet) {
     packet_ = packet;
     ++generation_;

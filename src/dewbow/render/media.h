@@ -37,6 +37,8 @@ public:
 
     int size() const { return int(media_.size()); }
     const Medium& medium(int id) const { return *media_[std::size_t(id)]; }
+    /// Whether any of them does.
+    bool scatters() const;
     /// Id of what is inside shapes of this material, or −1 if it is no body.
     int interior_of(int material) const { return interior_[std::size_t(material)]; }
 

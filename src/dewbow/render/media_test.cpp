@@ -137,7 +137,7 @@ TEST(SeeThrough, OnlyWhatIsNotThere) {
     EXPECT_EQ(see_through_shapes(scene), (std::vector<bool>{true, false, false, false}));
     scene.surroundings = like_air(make_constant(1.0));
     EXPECT_EQ(see_through_shapes(scene), (std::vector<bool>{false, false, false, false}));
-    Medium haze{"", air()};
+    Medium haze{"", air(), nullptr};
     haze.scattering = make_constant(1.0);
     haze.phase = henyey_greenstein(0.0);
     scene.surroundings = std::make_shared<Medium>(haze);

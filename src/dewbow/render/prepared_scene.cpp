@@ -26,8 +26,7 @@ PreparedScene::PreparedScene(const Scene& s)
       lights(s),
       camera(s) {
     camera_media = media_at(camera.position(), scene, media, accelerator);
-    for (int id = 0; id < media.size(); ++id)
-        if (media.medium(id).scattering && !haze) haze.emplace(scene, lights, camera);
+    if (media.scatters()) haze.emplace(scene, lights, camera);
     albedo = albedo_of_materials(scene);
     for (const Material& material : scene.materials)
         varies.push_back(surface_varies(scene, material));
