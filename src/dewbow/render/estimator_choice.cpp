@@ -55,14 +55,21 @@ EstimatorChoice choose_estimator(const Scene& scene) {
     if (std::string reason = reason_in_description(scene); !reason.empty())
         return {path, path.make(scene), std::move(reason)};
     auto estimator = std::make_unique<CausticsEstimator>(scene);
+    const auto as_path = [&] {
+        return std::make_unique<CausticsEstimator>(estimator->with_share_of_light_paths(0.0));
+    };
     if (!(estimator->light_paths() > 0.0))
-        return {path, std::move(estimator),
-                "no lamp shines on anything that bends or mirrors light"};
+        return {path, as_path(), "no lamp shines on anything that bends or mirrors light"};
     const double share = light_share(*estimator, scene);
-    std::string told = fmt::format(
-        "light that glass and mirrors throw is {:.2g} % of what a pixel gets", 100.0 * share);
-    if (share < kLeastLightShare) return {path, path.make(scene), std::move(told)};
-    return {row_of("caustics"), std::move(estimator), std::move(told)};
+    if (share < kLeastLightShare)
+        return {path, as_path(),
+                "what glass and mirrors throw is little, or found from the camera"};
+    estimator->aim();
+    return {
+        row_of("caustics"), std::move(estimator),
+        fmt::format("glass and mirrors throw {:.2g} % of the light, which paths from the camera "
+                    "would miss",
+                    100.0 * share)};
 }
 
 }  // namespace dewbow

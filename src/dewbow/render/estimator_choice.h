@@ -12,7 +12,7 @@ inline constexpr const char* kAutomaticEstimator = "auto";
 
 /// Light paths are traced if they bring at least this mean share of the light of parts of the
 /// picture (light_share).
-inline constexpr double kLeastLightShare = 1e-3;
+inline constexpr double kLeastLightShare = 2e-4;
 
 struct EstimatorChoice {
     const EstimatorRow& row;
@@ -21,8 +21,8 @@ struct EstimatorChoice {
 };
 
 /// `path`, or `caustics` where light paths pay. Scenes without anything that bends or mirrors
-/// light, without a lamp or without anything that scatters cost nothing to tell; else light is
-/// aimed as `caustics` would, and a pilot follows. A function of scene, settings and seed alone.
+/// light, without a lamp or without anything that scatters cost nothing to tell; else a pilot
+/// follows, aimed by geometry alone. A function of scene, settings and seed alone.
 /// `scene` must outlive the estimator.
 EstimatorChoice choose_estimator(const Scene& scene);
 

@@ -12,9 +12,7 @@ using caustics::EmittedRay;
 using caustics::LightPaths;
 
 struct CausticsEstimator::Prepared {
-    explicit Prepared(const Scene& of) : scene(of), emission(scene), lamp_media(scene) {
-        if (of.render.caustics.aimed && !emission.empty()) learn();
-    }
+    explicit Prepared(const Scene& of) : scene(of), emission(scene), lamp_media(scene) {}
 
     double pixels() const { return double(scene.scene.film.width) * scene.scene.film.height; }
     LightPaths light_paths(double per_sample) const { return {emission, per_sample * pixels()}; }
@@ -53,12 +51,15 @@ struct CausticsEstimator::Prepared {
 };
 
 CausticsEstimator::CausticsEstimator(const Scene& scene)
-    : CausticsEstimator(std::make_shared<const Prepared>(scene),
-                        scene.render.caustics.light_paths) {}
+    : CausticsEstimator(std::make_shared<Prepared>(scene), scene.render.caustics.light_paths) {}
 
-CausticsEstimator::CausticsEstimator(std::shared_ptr<const Prepared> prepared, double light_paths)
+CausticsEstimator::CausticsEstimator(std::shared_ptr<Prepared> prepared, double light_paths)
     : prepared_(std::move(prepared)),
       light_paths_(prepared_->emission.empty() ? 0.0 : light_paths) {}
+
+void CausticsEstimator::aim() {
+    if (prepared_->scene.scene.render.caustics.aimed && light_paths_ > 0.0) prepared_->learn();
+}
 
 CausticsEstimator CausticsEstimator::with_share_of_light_paths(double share) const {
     return {prepared_, share * light_paths_};
@@ -86,7 +87,9 @@ void CausticsEstimator::trace_light(const LightUnit& unit, SplatList& splats) co
 }
 
 std::unique_ptr<Estimator> make_caustics_estimator(const Scene& scene) {
-    return std::make_unique<CausticsEstimator>(scene);
+    auto estimator = std::make_unique<CausticsEstimator>(scene);
+    estimator->aim();
+    return estimator;
 }
 
 std::string caustics_settings(const RenderSettings& settings) {

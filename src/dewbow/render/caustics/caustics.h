@@ -14,22 +14,24 @@ namespace dewbow {
 /// Where no lamp shines on a caster it is `path`, bit by bit.
 class CausticsEstimator : public Estimator {
 public:
-    /// `scene` must outlive the estimator.
+    /// `scene` must outlive the estimator. It aims by geometry alone until aim() is called.
     explicit CausticsEstimator(const Scene& scene);
+    /// Learns where light paths arrive, if the settings wish it. Before anything is rendered.
+    void aim();
 
     void render(const Unit& unit, FilmSums& film) const override;
     double light_paths() const override;
     void trace_light(const LightUnit& unit, SplatList& splats) const override;
 
     /// The same lamps and the same aim, with weights as though there were `share` times as many
-    /// light paths. @param share  above 0.
+    /// light paths; 0: `path`, bit by bit.
     CausticsEstimator with_share_of_light_paths(double share) const;
 
 private:
     struct Prepared;
-    CausticsEstimator(std::shared_ptr<const Prepared> prepared, double light_paths);
+    CausticsEstimator(std::shared_ptr<Prepared> prepared, double light_paths);
 
-    std::shared_ptr<const Prepared> prepared_;
+    std::shared_ptr<Prepared> prepared_;
     double light_paths_;  ///< for each sample of each pixel
 };
 
