@@ -42,8 +42,9 @@ Scene seen_from_the_side(MediumPtr surroundings) {
         Transform<World, Camera>(looking_at({0, 0, 2}, {0, 0, 0}, {0, 1, 0}));
     scene.render.samples_per_pixel = 32;
     scene.render.caustics.light_paths = 4.0;
-    // Walls to the right and behind.
-    add(scene, Rectangle{6.0 * m, 6.0 * m}, {"wall", Black{}},
+    // Walls to the right and behind. The right one is not seen; what it throws back is scattered by
+    // no haze.
+    add(scene, Rectangle{6.0 * m, 6.0 * m}, diffuse(0.8),
         translation({1.5, 0, 0}) * rotation({0, 1, 0}, 90.0 * deg));
     add(scene, Rectangle{3.0 * m, 6.0 * m}, {"wall", Black{}}, translation({0, 0, -1}));
     return scene;
