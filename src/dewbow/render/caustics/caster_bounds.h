@@ -77,11 +77,6 @@ public:
     };
     /// Nothing if the line misses.
     std::optional<Crossing> crossing(Vec3 origin, Vec3 direction) const;
-    /// Whether a ray meets the body, or starts in it.
-    bool met_by(Vec3 origin, Vec3 direction) const {
-        const auto way = crossing(origin, direction);
-        return way && way->t_out > 0.0;
-    }
 
     bool endless() const { return std::holds_alternative<EndlessPlane>(body_); }
     const Body& body() const { return body_; }

@@ -99,14 +99,66 @@ void add_triangles(const Shape& shape, const Mesh& mesh, int index, Parts& parts
     }
 }
 
-EndlessPlane plane_of(const Shape& shape, const Bounds& scene, Vec3 camera) {
+/// @param boxes  of all shapes of the scene.
+EndlessPlane plane_of(const Shape& shape, const Scene& scene, const std::vector<Bounds>& boxes) {
     const Vec3 normal = shape.world_from_object(Normal<Object>{{0, 0, 1}}).v;
-    Bounds seen = scene;
-    seen.add(camera);
+    Bounds seen;
+    seen.add(scene.camera.world_from_camera(Point<Camera>{}).v);
+    for (const Bounds& box : boxes)
+        if (!box.empty()) seen.add(box.low), seen.add(box.high);
     const Vec3 on_plane = shape.world_from_object(Point<Object>{}).v;
     const double height = dot(seen.centre() - on_plane, normal);
     const double reach = seen.radius() + std::abs(height);
     return {seen.centre() - normal * height, normal, reach > 0.0 ? reach : 1.0};
+}
+
+std::vector<int> find_casters(const Scene& scene, const std::vector<bool>& see_through) {
+    std::vector<int> casters;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const auto material = std::size_t(scene.shapes[i].material);
+        if (!see_through[i] && is_caster(scene, scene.materials[material]))
+            casters.push_back(int(i));
+    }
+    return casters;
+}
+
+/// Triangles of meshes, and other shapes but planes whole.
+Parts parts_of(const Scene& scene, const std::vector<int>& casters,
+               const std::vector<Bounds>& boxes) {
+    std::size_t triangles = 0;
+    for (const int i : casters)
+        if (const Mesh* mesh = mesh_of(scene.shapes[std::size_t(i)]))
+            triangles += mesh->triangles.size();
+    Parts parts;
+    for (const int i : casters) {
+        const Shape& shape = scene.shapes[std::size_t(i)];
+        const Bounds& box = boxes[std::size_t(i)];
+        if (const Mesh* mesh = mesh_of(shape); mesh && triangles <= kMostTriangles) {
+            add_triangles(shape, *mesh, i, parts);
+        } else if (!box.empty()) {
+            parts.boxes.push_back(box);
+            parts.shape.push_back(i);
+        }
+    }
+    return parts;
+}
+
+/// The tightest body around a group: around all of one shape, or aligned with the axes.
+CasterBounds body_around(const BoxGroup& group, const Parts& parts, const Scene& scene,
+                         const std::vector<Bounds>& boxes) {
+    const auto& members = group.members;
+    const int first = parts.shape[members[0]];
+    const bool alone = std::all_of(members.begin(), members.end(),
+                                   [&](std::uint32_t part) { return parts.shape[part] == first; });
+    const Shape& shape = scene.shapes[std::size_t(first)];
+    const Mesh* mesh = mesh_of(shape);
+    // A mesh may have been parted; one taken whole has too many vertices to look at again.
+    if (alone && (!mesh || members.size() == mesh->triangles.size()))
+        return body_around(shape, boxes[std::size_t(first)]);
+    OrientedBox box = aligned_box(group.bounds);
+    const double margin = kMargin * largest_coordinate(group.bounds);
+    box.half += Vec3{margin, margin, margin};
+    return CasterBounds{box};
 }
 
 std::size_t most_groups(const Scene& scene) {
@@ -126,53 +178,17 @@ bool is_caster(const Scene& scene, const Material& material) {
 }
 
 Casters::Casters(const Scene& scene, const std::vector<bool>& see_through) {
-    std::vector<int> casters;
-    std::size_t triangles = 0;
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        const Shape& shape = scene.shapes[i];
-        if (see_through[i] || !is_caster(scene, scene.materials[std::size_t(shape.material)]))
-            continue;
-        casters.push_back(int(i));
-        if (const Mesh* mesh = mesh_of(shape)) triangles += mesh->triangles.size();
-    }
+    const std::vector<int> casters = find_casters(scene, see_through);
     if (casters.empty()) return;
-
     const std::vector<Bounds> boxes = bounds_of_shapes(scene);
-    Bounds all;
-    for (const Bounds& box : boxes)
-        if (!box.empty()) all.add(box.low), all.add(box.high);
-    Parts parts;
     for (const int i : casters) {
         const Shape& shape = scene.shapes[std::size_t(i)];
-        if (std::holds_alternative<Plane>(shape.geometry)) {
-            if (groups_.size() < kMostPlanes)
-                groups_.emplace_back(
-                    plane_of(shape, all, scene.camera.world_from_camera(Point<Camera>{}).v));
-        } else if (const Mesh* mesh = mesh_of(shape); mesh && triangles <= kMostTriangles) {
-            add_triangles(shape, *mesh, i, parts);
-        } else if (!boxes[std::size_t(i)].empty()) {
-            parts.boxes.push_back(boxes[std::size_t(i)]);
-            parts.shape.push_back(i);
-        }
+        if (std::holds_alternative<Plane>(shape.geometry) && groups_.size() < kMostPlanes)
+            groups_.emplace_back(plane_of(shape, scene, boxes));
     }
-    for (const BoxGroup& group : group_boxes(parts.boxes, most_groups(scene) - groups_.size())) {
-        const int first = parts.shape[group.members[0]];
-        const bool alone =
-            std::all_of(group.members.begin(), group.members.end(),
-                        [&](std::uint32_t part) { return parts.shape[part] == first; });
-        const Shape& shape = scene.shapes[std::size_t(first)];
-        const double margin = kMargin * largest_coordinate(group.bounds);
-        OrientedBox box = aligned_box(group.bounds);
-        box.half += Vec3{margin, margin, margin};
-        const CasterBounds aligned{box};
-        if (!alone) {
-            groups_.push_back(aligned);
-            continue;
-        }
-        // Of a mesh in several groups each has a part only.
-        const CasterBounds body = body_around(shape, boxes[std::size_t(first)]);
-        groups_.push_back(body.surface() < aligned.surface() ? body : aligned);
-    }
+    const Parts parts = parts_of(scene, casters, boxes);
+    for (const BoxGroup& group : group_boxes(parts.boxes, most_groups(scene) - groups_.size()))
+        groups_.push_back(body_around(group, parts, scene, boxes));
 }
 
 }  // namespace dewbow::caustics

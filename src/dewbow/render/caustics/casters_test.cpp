@@ -92,6 +92,21 @@ TEST(Casters, MayBeTenThousandBeads) {
     EXPECT_GT(share_that_arrives(point), 0.9);
 }
 
+/// Stones far apart in one mesh are aimed at one by one.
+TEST(Casters, MayBePartsOfOneMesh) {
+    Mesh both = *icosahedron();
+    const auto corners = std::uint32_t(both.vertices.size());
+    for (std::uint32_t i = 0; i < corners; ++i)
+        both.vertices.push_back({both.vertices[i].v + Vec3{9, 0, 0}});
+    for (std::size_t i = 0; i < 20; ++i) {
+        const auto [a, b, c] = both.triangles[i];
+        both.triangles.push_back({a + corners, b + corners, c + corners});
+    }
+    Scene scene = make_empty_scene();
+    add_shape(scene, std::make_shared<const Mesh>(both), {}, add_glass(scene));
+    EXPECT_EQ(Casters(scene, see_through_shapes(scene)).groups().size(), 2u);
+}
+
 /// A prism turned in space: the box around it shows the sun 1.3 to 2 times as much.
 TEST(Casters, AreAimedAtByTheirOwnBoxes) {
     Scene scene = make_empty_scene();
