@@ -29,7 +29,8 @@ void add_lamp(Scene& scene, double y, double intensity) {
 Scene wall_below_pane() {
     using unit::m;
     Scene scene = make_empty_scene();
-    scene.film.width = 32, scene.film.height = 24;
+    scene.film.width = 64, scene.film.height = 48;  // in 32 × 24 parts
+    scene.render.samples_per_pixel = 16;
     scene.camera.projection = Perspective{2.0 * kHalfAngle_deg * unit::deg};
     scene.camera.world_from_camera = Transform<World, Camera>(translation({0, 0, 1}));
     add(scene, Rectangle{6.0 * m, 6.0 * m}, translation({0, 0, kWall_m}), scene.add(white()));
@@ -47,7 +48,11 @@ double irradiance(double x, double y, double lamp_y) {
     return across / std::pow(squared, 1.5);
 }
 
-double share_of(const Scene& scene) { return light_share(CausticsEstimator(scene), scene); }
+double share_of(const Scene& scene) {
+    CausticsEstimator estimator(scene);
+    estimator.aim();  // the pane is much larger than what is seen: geometry alone aims badly
+    return light_share(estimator, scene);
+}
 
 /// What the pilot makes of light that is there for sure: 1 % is added to each part.
 constexpr double kFloor = 0.01;
