@@ -69,7 +69,8 @@ std::uint64_t picture_memory(const PixelRect& crop, int spectral_bins, bool ligh
     const std::uint64_t layers = light_paths ? 14 : 11;
     const std::uint64_t image =
         2 * sizeof(float) * (layers + static_cast<std::uint64_t>(spectral_bins));
-    const std::uint64_t splats = light_paths ? SplatSums::bytes_per_pixel(spectral_bins) : 0;
+    // What light paths bring, and as much again that waits while a state is written.
+    const std::uint64_t splats = light_paths ? 2 * SplatSums::bytes_per_pixel(spectral_bins) : 0;
     return (FilmSums::bytes_per_pixel(spectral_bins) + splats + image) *
            static_cast<std::uint64_t>(crop.width()) * static_cast<std::uint64_t>(crop.height());
 }
