@@ -81,6 +81,17 @@ TEST_F(ImportTest, ASceneIsFramedForThePicturesSize) {
     EXPECT_GT(distance(narrow_scene), 2.0 * distance(wide_scene));
 }
 
+/// In haze a beam shows by itself.
+TEST_F(ImportTest, HazeShowsLampsWithoutTheStudio) {
+    const std::string scene =
+        "[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n[materials.g]\ntype = \"glass\"\nior "
+        "= 1.5\n[[shapes]]\ntype = \"sphere\"\nmaterial = \"g\"\nradius_m = 1\n[[lights]]\n"
+        "type = \"point\"\nposition = [0, 3, 0]\nintensity = 1\n";
+    EXPECT_EQ(load_scene(write("clear.toml", scene)).scene.lights.size(), 2u);
+    const std::string haze = "[surroundings]\nglass = \"air\"\nscattering_per_m = 0.1\n";
+    EXPECT_EQ(load_scene(write("hazy.toml", haze + scene)).scene.lights.size(), 1u);
+}
+
 TEST_F(ImportTest, TheStudioSuitsTheFilmsWhite) {
     const auto imported = load_scene(write("a.gltf", gltf_test::text_of({})));
     ASSERT_NE(studio_of(imported.scene), nullptr);

@@ -54,8 +54,10 @@ double luminance_of(const Material& material) {
 }
 
 /// Whether a light without extent can be seen by what the surface does to it.
-bool is_rough(const Material& material) {
-    if (const auto* s = std::get_if<Dielectric>(&material.surface)) return s->roughness.value > 0.0;
+/// Whether it shows light that has no extent: it is rough, or hazy inside.
+bool scatters(const Material& material) {
+    if (const auto* s = std::get_if<Dielectric>(&material.surface))
+        return s->roughness.value > 0.0 || s->interior->scattering;
     if (const auto* s = std::get_if<ThinDielectric>(&material.surface))
         return s->roughness.value > 0.0;
     if (const auto* s = std::get_if<Conductor>(&material.surface)) return s->roughness.value > 0.0;
@@ -78,18 +80,18 @@ void offer_camera(Scene& scene, CameraView camera) {
 
 bool brings_light(const Scene& scene, double least_luminance) {
     const std::vector<char> used = materials_in_use(scene);
-    bool something_rough = false;
+    bool something_scatters = scene.surroundings->scattering != nullptr;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
         const Material& material = scene.materials[i];
         if (material.gives_light() && luminance_of(material) > least_luminance) return true;
-        something_rough |= is_rough(material);
+        something_scatters |= scatters(material);
     }
     // Smooth glass and mirrors alone show nothing of a light that has no extent.
     return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
         const bool extent = std::holds_alternative<UniformEnvironment>(light) ||
                             std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light);
-        return extent || something_rough;
+        return extent || something_scatters;
     });
 }
 
