@@ -33,6 +33,12 @@ nlohmann::ordered_json json_of(const TeamReport& team) {
             {"rendering_seconds", team.rendering_seconds}};
 }
 
+nlohmann::ordered_json json_of(const LightPathReport& report) {
+    return {{"traced_to_learn", report.traced},
+            {"arrived_at_first", report.arrived_at_first},
+            {"arrived_at_last", report.arrived_at_last}};
+}
+
 }  // namespace
 
 std::vector<std::string> write_pictures(const std::vector<std::filesystem::path>& paths,
@@ -64,8 +70,15 @@ std::string samples_text(double samples_per_pixel) {
                : fmt::format("{:.2f}", samples_per_pixel);
 }
 
+std::string light_paths_text(const LightPathReport& report) {
+    return fmt::format(
+        "light paths: {:.2g} % bring light to the picture, {:.2g} % before learning from {}",
+        100.0 * report.arrived_at_last, 100.0 * report.arrived_at_first, report.traced);
+}
+
 void print_json(const SessionResult& result, const std::vector<std::filesystem::path>& paths,
-                const std::string& fingerprint, const TeamReport* team) {
+                const std::string& fingerprint, const std::optional<LightPathReport>& light_paths,
+                const TeamReport* team) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const std::filesystem::path& path : paths) files.push_back(path.string());
     nlohmann::ordered_json object{
@@ -80,6 +93,7 @@ void print_json(const SessionResult& result, const std::vector<std::filesystem::
         {"film_hash", fmt::format("{:016x}", result.film_hash)},
     };
     if (result.light_paths > 0) object["light_paths"] = result.light_paths;
+    if (light_paths) object["light_paths"] = json_of(*light_paths);
     if (team) object["ranks"] = json_of(*team);
     // A file's name need not be UTF-8.
     print_data(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

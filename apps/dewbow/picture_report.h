@@ -23,9 +23,15 @@ std::string joined(const std::vector<std::filesystem::path>& paths);
 /// "16", "2.50"
 std::string samples_text(double samples_per_pixel);
 
-/// @param fingerprint  of the program that rendered.  @param team  if it had several ranks
+/// "light paths: 64 % bring light to the picture, 1.2 % before learning from 61440"
+std::string light_paths_text(const LightPathReport& report);
+
+/// @param fingerprint  of the program that rendered.  @param light_paths  if it traced any.  @param
+/// team  if it had several ranks
 void print_json(const SessionResult& result, const std::vector<std::filesystem::path>& paths,
-                const std::string& fingerprint, const TeamReport* team = nullptr);
+                const std::string& fingerprint,
+                const std::optional<LightPathReport>& light_paths = std::nullopt,
+                const TeamReport* team = nullptr);
 
 /// kDone or kTooManyInvalid.
 int exit_code_by_samples(const SessionResult& result);

@@ -250,9 +250,11 @@ int render_picture(const RenderCommand& command, const LoadedScene& loaded,
     if (!failures.empty()) return keep_after_failure(failures, state, checkpoint);
     if (!interrupted) checkpoint.remove();
 
+    const std::optional<LightPathReport> light_paths = estimator.light_path_report();
     if (!command.quiet) print_message(summary(result, paths));
+    if (!command.quiet && light_paths) print_message(light_paths_text(*light_paths));
     if (kept && !command.quiet) print_message(checkpoint.way_on());
-    if (command.json) print_json(result, paths, fingerprint(), rank_report(team));
+    if (command.json) print_json(result, paths, fingerprint(), light_paths, rank_report(team));
     return exit_code(result);
 }
 

@@ -39,6 +39,14 @@ void for_each_sample(const Unit& unit, std::uint64_t seed, RenderSample&& render
     replay = {};
 }
 
+/// Of the light paths that were traced to learn where to aim: what share of them brought light to
+/// the picture.
+struct LightPathReport {
+    std::int64_t traced = 0;
+    double arrived_at_first = 0.0;  ///< aimed by geometry alone
+    double arrived_at_last = 0.0;   ///< by what was learnt
+};
+
 class Estimator {
 public:
     virtual ~Estimator() = default;
@@ -53,6 +61,8 @@ public:
     /// the mean of its samples, plus the sum of its splats over the number of light paths. Called
     /// from many threads at once. A function of scene, settings and unit alone.
     virtual void trace_light(const LightUnit& /*unit*/, SplatList& /*splats*/) const {}
+    /// Nothing if none were traced.
+    virtual std::optional<LightPathReport> light_path_report() const { return std::nullopt; }
 };
 
 struct EstimatorRow {

@@ -34,20 +34,22 @@ struct CausticsEstimator::Prepared {
         FilmLayout whole;
         whole.width = scene.scene.film.width, whole.height = scene.scene.film.height;
         whole.crop = {0, 0, whole.width, whole.height};
-        caustics::train(emission, settings.seed, paths.per_sample * settings.samples_per_pixel,
-                        [&](const EmittedRay& ray, const SampleKey& key) {
-                            SplatList splats(whole);
-                            trace(ray, key, paths, splats);
-                            double squares = 0.0;
-                            for (const Splat& splat : splats.splats())
-                                squares += double(splat.xyz[1]) * splat.xyz[1];
-                            return squares;
-                        });
+        training =
+            caustics::train(emission, settings.seed, paths.per_sample * settings.samples_per_pixel,
+                            [&](const EmittedRay& ray, const SampleKey& key) {
+                                SplatList splats(whole);
+                                trace(ray, key, paths, splats);
+                                double squares = 0.0;
+                                for (const Splat& splat : splats.splats())
+                                    squares += double(splat.xyz[1]) * splat.xyz[1];
+                                return squares;
+                            });
     }
 
     PreparedScene scene;
     caustics::AimedEmission emission;
     caustics::LampMedia lamp_media;
+    caustics::TrainingReport training;
 };
 
 CausticsEstimator::CausticsEstimator(const Scene& scene)
@@ -84,6 +86,14 @@ void CausticsEstimator::trace_light(const LightUnit& unit, SplatList& splats) co
         if (const std::optional<EmittedRay> ray = prepared_->emission.sample(key))
             prepared_->trace(*ray, key, paths, splats);
     }
+}
+
+std::optional<LightPathReport> CausticsEstimator::light_path_report() const {
+    const caustics::TrainingReport& passes = prepared_->training;
+    if (passes.empty()) return std::nullopt;
+    LightPathReport report{0, passes.front().share(), passes.back().share()};
+    for (const caustics::TrainingPass& pass : passes) report.traced += pass.paths;
+    return report;
 }
 
 std::unique_ptr<Estimator> make_caustics_estimator(const Scene& scene) {

@@ -22,6 +22,7 @@ public:
     void render(const Unit& unit, FilmSums& film) const override;
     double light_paths() const override;
     void trace_light(const LightUnit& unit, SplatList& splats) const override;
+    std::optional<LightPathReport> light_path_report() const override;
 
     /// The same lamps and the same aim, with weights as though there were `share` times as many
     /// light paths; 0: `path`, bit by bit.
