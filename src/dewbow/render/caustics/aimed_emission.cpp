@@ -50,11 +50,7 @@ AimedEmission::Aim AimedEmission::aim(const AimPoint& u) const {
     const std::size_t lamp = lamp_at(sample.at[0]);
     aim.ray = maps_[int(lamp)].ray({sample.at[1], sample.at[2], sample.at[3], sample.at[4]});
     if (!aim.ray) return aim;
-    // One group of casters leaves one way.
-    aim.ray->pdf = casters_.groups().size() == 1
-                       ? aim.ray->pdf * sample.density * (edges_[lamp + 1] - edges_[lamp])
-                       : density_of(lamp, aim.ray->ray, sample.at);
-    if (!(aim.ray->pdf > 0.0)) aim.ray.reset();
+    aim.ray->pdf *= sample.density * (edges_[lamp + 1] - edges_[lamp]);
     return aim;
 }
 
@@ -69,22 +65,16 @@ std::optional<EmittedRay> AimedEmission::sample(double u_light,
     return aim({u_light, u[0], u[1], u[2], u[3]}).ray;
 }
 
-/// Of a ray that leaves that lamp.   @param at  a place that gives it; of lamps with extent any:
-/// coordinates that the lamp does not look at are taken from it.
-double AimedEmission::density_of(std::size_t lamp, const Ray& ray, const AimPoint& at) const {
+/// Of a ray that leaves that lamp, which has extent.
+double AimedEmission::density_of(std::size_t lamp, const Ray& ray) const {
     const double low = edges_[lamp], share = edges_[lamp + 1] - low;
     if (!(share > 0.0)) return 0.0;
     std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
-    const EmissionMap& map = maps_[int(lamp)];
-    const int count = map.places(ray, places);
-    const auto dimensions = std::size_t(map.dimensions());
+    const int count = maps_[int(lamp)].places(ray, places);
     double sum = 0.0;
-    AimPoint other = at;
-    other[0] = low + 0.5 * share;
     for (int i = 0; i < count; ++i) {
-        const EmissionMap::Place& place = places[std::size_t(i)];
-        std::copy_n(place.u.begin(), dimensions, other.begin() + 1);
-        sum += place.pdf * density_.density(other);
+        const auto& [u, pdf] = places[std::size_t(i)];
+        sum += pdf * density_.density({low + 0.5 * share, u[0], u[1], u[2], u[3]});
     }
     return share * sum;
 }
@@ -95,12 +85,12 @@ double AimedEmission::density_of_hit(const Hit& lamp, Vec3 point, const Ray& cam
     const Vec3 direction = -camera_ray.direction;
     const SurfaceFrom from{lamp.shape, lamp.primitive, dot(direction, lamp.normal) < 0.0};
     return density_of(std::size_t(maps_.of(LightSample::Source::shape, number)),
-                      {point, direction, from}, {});
+                      {point, direction, from});
 }
 
 double AimedEmission::density_of_infinite(int i, const Ray& camera_ray) const {
     return density_of(std::size_t(maps_.of(LightSample::Source::infinite, i)),
-                      {camera_ray.origin, -camera_ray.direction, {}}, {});
+                      {camera_ray.origin, -camera_ray.direction, {}});
 }
 
 double AimedEmission::density_of_sample(const LightSample& light, Vec3 receiver) const {
@@ -109,7 +99,7 @@ double AimedEmission::density_of_sample(const LightSample& light, Vec3 receiver)
                   -light.direction,
                   {-1, light.primitive, false}};
     const auto lamp = std::size_t(maps_.of(light.source, light.index));
-    if (!light.without_extent) return density_of(lamp, ray, {});
+    if (!light.without_extent) return density_of(lamp, ray);
     std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
     const int count = maps_[int(lamp)].places(ray, places);
     double sum = 0.0;

@@ -26,8 +26,8 @@ public:
     /// No lamp shines on a caster: there are no light paths.
     bool empty() const { return edges_.back() == 0.0; }
 
-    /// A ray, whose pdf is that of all ways to it, choice of the lamp included. Nothing where the
-    /// numbers give none; their share is lost. Stratified numbers give stratified rays.
+    /// A ray, whose pdf includes the choice of the lamp. Nothing where the numbers give none; their
+    /// share is lost. Stratified numbers give stratified rays.
     std::optional<EmittedRay> sample(double u_light, const std::array<double, 4>& u) const;
     /// The numbers of a light path that sample() takes: those of the ray are stratified together.
     static AimPoint numbers(const SampleKey& key);
@@ -64,7 +64,7 @@ public:
 
 private:
     std::size_t lamp_at(double choice) const;
-    double density_of(std::size_t lamp, const Ray& ray, const AimPoint& at) const;
+    double density_of(std::size_t lamp, const Ray& ray) const;
 
     const PreparedScene& prepared_;
     Casters casters_;
