@@ -72,7 +72,7 @@ std::string samples_text(double samples_per_pixel) {
 
 std::string light_paths_text(const LightPathReport& report) {
     return fmt::format(
-        "light paths: {:.2g} % bring light to the picture, {:.2g} % before learning from {}",
+        "light paths: {:.3g} % bring light to the picture, {:.3g} % before learning from {}",
         100.0 * report.arrived_at_last, 100.0 * report.arrived_at_first, report.traced);
 }
 

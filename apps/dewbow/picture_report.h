@@ -23,7 +23,7 @@ std::string joined(const std::vector<std::filesystem::path>& paths);
 /// "16", "2.50"
 std::string samples_text(double samples_per_pixel);
 
-/// "light paths: 64 % bring light to the picture, 1.2 % before learning from 61440"
+/// "light paths: 64.1 % bring light to the picture, 1.2 % before learning from 61440"
 std::string light_paths_text(const LightPathReport& report);
 
 /// @param fingerprint  of the program that rendered.  @param light_paths  if it traced any.  @param
