@@ -25,8 +25,10 @@ public:
     /// @param media  what the ray starts in.
     void run(const EmittedRay& emitted, MediaStack media);
 
-private:
+protected:
     bool on_scatterer(const walk::SharedPath& path, const walk::Scatterer& at) override;
+
+private:
     void on_haze(const walk::SharedPath& path, const Hit& hit) override;
     void splat(const walk::SharedPath& path, const walk::Scatterer& at);
     void splat(const walk::SharedPath& path, const walk::Scatterer& at, const Seen& seen);
