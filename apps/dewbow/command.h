@@ -40,7 +40,7 @@ struct Slice {
 };
 
 /// That of a command which names none.
-inline constexpr const char* kDefaultEstimator = "path";
+inline constexpr const char* kDefaultEstimator = "auto";
 
 /// `dewbow render`. What is not set is as the scene says.
 struct RenderCommand {
