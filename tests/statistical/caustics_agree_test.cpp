@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CausticsAgree, ::testing::ValuesIn(kCausticScen
 /// 100 times the samples: 0.9 %. About half an hour on 2 cores.
 class LongCausticsAgree : public ::testing::TestWithParam<NamedScene> {};
 TEST_P(LongCausticsAgree, WithPath) { expect_agreement(GetParam(), 100.0, kDetectable / 10.0); }
-INSTANTIATE_TEST_SUITE_P(Scenes, LongCausticsAgree, ::testing::ValuesIn(kCausticScenes),
+INSTANTIATE_TEST_SUITE_P(LongScenes, LongCausticsAgree, ::testing::ValuesIn(kCausticScenes),
                          [](const auto& each) { return std::string(each.param.name); });
 
 // ---- planted bugs ------------------------------------------------------------------------------

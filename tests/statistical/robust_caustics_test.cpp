@@ -70,7 +70,7 @@ TEST_P(LongRobustCaustics, Table) {
                 path.noise * path.seconds / (both.noise * both.seconds),
                 both.mean / path.mean - 1.0);
 }
-INSTANTIATE_TEST_SUITE_P(Scenes, LongRobustCaustics, ::testing::ValuesIn(kRobustScenes),
+INSTANTIATE_TEST_SUITE_P(LongScenes, LongRobustCaustics, ::testing::ValuesIn(kRobustScenes),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
