@@ -11,6 +11,17 @@ namespace dewbow {
 using caustics::EmittedRay;
 using caustics::LightPaths;
 
+namespace {
+
+/// That training is planned for. A render that only time or noise ends has as many as can be: how
+/// many it will have nobody knows, and it learns as one with the usual number.
+int planned_samples(const RenderSettings& settings) {
+    return settings.samples_per_pixel < kMostSamples ? settings.samples_per_pixel
+                                                     : RenderSettings{}.samples_per_pixel;
+}
+
+}  // namespace
+
 struct CausticsEstimator::Prepared {
     explicit Prepared(const Scene& of) : scene(of), emission(scene), lamp_media(scene) {}
 
@@ -35,7 +46,7 @@ struct CausticsEstimator::Prepared {
         whole.width = scene.scene.film.width, whole.height = scene.scene.film.height;
         whole.crop = {0, 0, whole.width, whole.height};
         training =
-            caustics::train(emission, settings.seed, paths.per_sample * settings.samples_per_pixel,
+            caustics::train(emission, settings.seed, paths.per_sample * planned_samples(settings),
                             [&](const EmittedRay& ray, const SampleKey& key) {
                                 SplatList splats(whole);
                                 trace(ray, key, paths, splats);

@@ -2,9 +2,10 @@
 #pragma once
 
 // What aiming learns before a render begins: from which lamps and along which of their rays light
-// reaches what the camera sees. A fixed number of light paths in a few passes, each aimed by what
-// those before it found; then the density is frozen. It is a function of scene, settings and seed
-// alone: every slice and every rank repeats it, with the same bits on any number of threads.
+// reaches what the camera sees. A number of light paths that follows from the samples, in a few
+// passes, each aimed by what those before it found; then the density is frozen. It is a function of
+// scene, settings and seed alone: every slice and every rank repeats it, with the same bits on any
+// number of threads.
 
 #include <cstdint>
 #include <functional>
