@@ -18,10 +18,9 @@ constexpr double kMargin = 1e-7;
 constexpr double kOrthogonal = 1e-9;
 /// Meshes are grouped triangle by triangle while all of them together have no more: a second.
 constexpr std::size_t kMostTriangles = 2'000'000;
-/// Groups at most; fewer where there are many lamps, since each pair takes time and memory.
+/// Groups at most, beside planes without end; fewer where there are many lamps, since each pair
+/// takes time and memory.
 constexpr std::size_t kMostGroups = 1 << 14, kLeastGroups = 64, kMostPairs = 1'000'000;
-/// Planes without end that light is aimed at; what further ones do is left to camera paths.
-constexpr std::size_t kMostPlanes = 8;
 
 const Mesh* mesh_of(const Shape& shape) {
     const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape.geometry);
@@ -183,11 +182,11 @@ Casters::Casters(const Scene& scene, const std::vector<bool>& see_through) {
     const std::vector<Bounds> boxes = bounds_of_shapes(scene);
     for (const int i : casters) {
         const Shape& shape = scene.shapes[std::size_t(i)];
-        if (std::holds_alternative<Plane>(shape.geometry) && groups_.size() < kMostPlanes)
+        if (std::holds_alternative<Plane>(shape.geometry))
             groups_.emplace_back(plane_of(shape, scene, boxes));
     }
     const Parts parts = parts_of(scene, casters, boxes);
-    for (const BoxGroup& group : group_boxes(parts.boxes, most_groups(scene) - groups_.size()))
+    for (const BoxGroup& group : group_boxes(parts.boxes, most_groups(scene)))
         groups_.push_back(body_around(group, parts, scene, boxes));
 }
 

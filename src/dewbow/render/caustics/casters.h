@@ -21,7 +21,6 @@ public:
     /// @param see_through  one a shape: see_through_shapes.
     Casters(const Scene& scene, const std::vector<bool>& see_through);
 
-    bool empty() const { return groups_.empty(); }
     const std::vector<CasterBounds>& groups() const { return groups_; }
 
 private:

@@ -59,6 +59,17 @@ TEST(Casters, AreWhatBendsOrMirrorsLight) {
               1u);
 }
 
+/// Haze before any of them is left to light paths (haze_share.h), so none may be forgotten.
+TEST(Casters, AreAllPlanesWithoutEnd) {
+    constexpr std::size_t kPlanes = 100;  // more than the groups of other casters, at least 64
+    Scene scene = make_empty_scene();
+    const int mirror = add_mirror(scene);
+    for (std::size_t i = 0; i < kPlanes; ++i)
+        add_shape(scene, Plane{}, translation({0, 0, -double(i)}), mirror);
+    add_shape(scene, Sphere{1.0 * m}, translation({0, 0, 5}), mirror);
+    EXPECT_EQ(Casters(scene, see_through_shapes(scene)).groups().size(), kPlanes + 1);
+}
+
 /// Share of a lamp's rays that meet a caster.
 double share_that_arrives(const Scene& scene) {
     constexpr int kRays = 4096;
