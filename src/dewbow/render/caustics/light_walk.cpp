@@ -83,7 +83,8 @@ double LightWalk::weight(double note, double ratio) const {
     return weight_of_light(ratio, chance + note * note);
 }
 
-/// Where the lamp's ray first meets rough glass, camera paths take direct light too.
+/// Where the lamp's ray first meets rough glass, camera paths take direct light too, unless
+/// they cannot go on that way.
 void LightWalk::on_rough_turn(SharedPath& lane, const RoughGlass& at) {
     if (!lane.sees_start()) return;
     const Vertex vertex = vertex_from(prepared_, at.vertex.position, lane.ray.direction, at.hit);
@@ -92,7 +93,8 @@ void LightWalk::on_rough_turn(SharedPath& lane, const RoughGlass& at) {
     const bool reflects = vertex.front == at.vertex.front;
     const RoughDielectric seen(wo, at.alpha, reflects ? at.eta : 1.0 / at.eta);
     const double chance = seen.eval(frame.to_local(at.vertex.wo)).pdf;
-    lane.note = density_of_direct(at.vertex.position) / chance;
+    const double direct = density_of_direct(at.vertex.position);
+    lane.note = chance > 0.0 ? direct / chance : 0.0;
 }
 
 /// With which direct light at `receiver` takes the lamp's ray backwards.

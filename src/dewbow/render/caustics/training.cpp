@@ -88,7 +88,9 @@ private:
         const double most = heaviest(weights);
         std::vector<DensityObservation> observations;
         for (std::size_t i = 0; i < weights.size(); ++i) {
-            const double units = std::min(weights[i] / most, 1.0) * 0x1p31;
+            // Also where the heaviest is 0 or infinite: f2 is a square and leaves the range first.
+            const double share = weights[i] < most ? weights[i] / most : 1.0;
+            const double units = share * 0x1p31;
             observations.push_back({arrived_[i].at, std::max(1u, std::uint32_t(units))});
         }
         return observations;
