@@ -72,8 +72,9 @@ std::vector<double> by_light(const Estimator& estimator, const Scene& scene, con
         SplatList splats(whole);
         estimator.trace_light({kPass, unit * kPathsPerUnit, (unit + 1) * kPathsPerUnit}, splats);
         for (const Splat& splat : splats.splats()) {
-            const int pixel = int(splat.pixel);
-            sums[unit][parts.at(pixel % whole.width, pixel / whole.width)] += splat.xyz[1];
+            const auto width = std::uint32_t(whole.width);
+            const int x = int(splat.pixel % width), y = int(splat.pixel / width);
+            sums[unit][parts.at(x, y)] += splat.xyz[1];
         }
     });
     std::vector<double> light(parts.count());

@@ -58,7 +58,7 @@ SplatList::SplatList(const FilmLayout& layout)
       spectral_bins_(layout.spectral_bins),
       largest_(std::min<double>(std::ldexp(1.0, layout.reference_exponent + kLargestExponent),
                                 std::numeric_limits<float>::max())) {
-    DEWBOW_CHECK(crop_.area() <= std::numeric_limits<std::uint32_t>::max(),
+    DEWBOW_CHECK(crop_.area() - 1 <= std::numeric_limits<std::uint32_t>::max(),
                  "a pixel's number has 32 bits");
 }
 

@@ -127,6 +127,15 @@ TEST(SplatList, ComesBackFromItsBytesAndRefusesOthers) {
     EXPECT_THROW(SplatList::from_bytes(kLayout, negative), InputError);
 }
 
+TEST(SplatList, TheLargestPictureHasANumberForEachPixel) {
+    constexpr int kSide = 65536;  // validate() allows no more
+    SplatList list({kSide, kSide, {0, 0, kSide, kSide}});
+    const WavelengthPacket packet = four_wavelengths(0.3);
+    list.add(kSide - 1, kSide - 1, 1.0, light_of(packet, 1.0));
+    ASSERT_EQ(list.splats().size(), 1u);
+    EXPECT_EQ(list.splats()[0].pixel, 0xFFFF'FFFFu);
+}
+
 // ---- sums --------------------------------------------------------------------------------------
 
 TEST(SplatSums, DoNotDependOnTheOrderNorOnHowManyAddUpFirst) {
