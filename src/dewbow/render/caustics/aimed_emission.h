@@ -2,8 +2,9 @@
 #pragma once
 
 // Light paths begin here: a lamp is chosen, and one of its rays towards the casters. Both choices
-// follow one density, which is uniform until it has been learnt (training.h): then lamps are chosen
-// by what they send towards casters, were nothing in between.
+// follow one density of random numbers, which is uniform on their cube until it has been learnt
+// (training.h). Uniform numbers choose lamps by what they send towards casters, were nothing in
+// between.
 
 #include <optional>
 #include <span>
