@@ -27,17 +27,21 @@ inline MakeEstimator method(const std::string& name) {
 
 struct TimedFilm {
     FilmSums film;
-    double cpu_seconds;  ///< of all threads, the making of the estimator included
+    double making_seconds;  ///< of the processor, once for a picture of any size
+    double cpu_seconds;     ///< of all threads, the making of the estimator included
 };
 inline TimedFilm film_of(Scene scene, const MakeEstimator& make, int samples, std::uint64_t seed) {
     scene.render.samples_per_pixel = samples;
     scene.render.seed = seed;
     const std::clock_t begun = std::clock();
+    const auto seconds = [&] { return double(std::clock() - begun) / CLOCKS_PER_SEC; };
+    const EstimatorPtr estimator = make(scene);
+    const double making = seconds();
     SessionOptions options;
     FilmSums film = make_film(scene, options);
-    const SessionResult result = run_session(scene, *make(scene), options, film);
+    const SessionResult result = run_session(scene, *estimator, options, film);
     EXPECT_EQ(result.invalid_samples, 0);
-    return {std::move(film), double(std::clock() - begun) / CLOCKS_PER_SEC};
+    return {std::move(film), making, seconds()};
 }
 
 }  // namespace dewbow::kit

@@ -115,7 +115,7 @@ EstimatorPtr caustics_of(const Scene& scene, double light_paths) {
     return method("caustics")(*scenes.back());
 }
 
-/// The scene of all plants.
+/// The scene of most plants.
 Compared compare_planted(const MakeEstimator& planted) {
     constexpr int kSamplesOfPlants = 2 * kSamples;
     static const Scene scene = glass_ball();
@@ -155,6 +155,20 @@ TEST(CausticsAgreePlants, ReflectionAndRefractionSwapped) {
 }
 TEST(CausticsAgreePlants, AndWithoutAFaultAllIsWell) {
     EXPECT_GT(compare_planted(by<SoundWalk>()).chance, kFalseAlarm);
+}
+
+/// Of casters rough glass alone is asked for the lamp.
+TEST(CausticsAgreePlants, ADensityOfNextEventThatOneSideDoesNotKnow) {
+    constexpr int kSamplesOfPlant = 2 * kSamples;
+    const Scene scene = rough_glass();
+    const Pictures path = pictures(scene, method("path"), kSamplesOfPlant, kOtherSeed);
+    const Compared found =
+        compare(pictures(scene, by<LeavesRoughGlassToNextEvent>(), kSamplesOfPlant, 0), path);
+    const Compared sound = compare(pictures(scene, by<SoundWalk>(), kSamplesOfPlant, 0), path);
+    EXPECT_LT(found.chance, kFalseAlarm);
+    EXPECT_GT(sound.chance, kFalseAlarm);
+    std::printf("    least chance %.2g, difference %.4f; without the fault %.2g, %.4f\n",
+                found.chance, found.difference, sound.chance, sound.difference);
 }
 
 }  // namespace

@@ -56,6 +56,18 @@ private:
     }
 };
 
+/// Light paths leave what they find by way of rough glass to next event, which does not know it.
+class LeavesRoughGlassToNextEvent : public caustics::LightWalk {
+public:
+    using LightWalk::LightWalk;
+
+private:
+    void on_rough_turn(walk::SharedPath& lane, const walk::RoughGlass&) override {
+        constexpr double kFarTooDense = 1e6;
+        if (lane.sees_start()) lane.note = kFarTooDense;
+    }
+};
+
 /// Camera paths as they are, and light paths of one kind; nothing is learnt.
 template <class Walk>
 class CausticsBy : public Estimator {
