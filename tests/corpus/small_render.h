@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "dewbow/import/import.h"
-#include "dewbow/render/path/path.h"
+#include "dewbow/render/estimator_choice.h"
 #include "dewbow/render/session.h"
 #include "dewbow/spectrum/rgb.h"
 
@@ -45,7 +45,7 @@ inline SmallPicture render_small(const std::filesystem::path& file, int width, i
     imported.scene.render.samples_per_pixel = samples;
     FilmSums film = make_film(imported.scene, {});
     const SessionResult result =
-        run_session(imported.scene, *make_path_estimator(imported.scene), {}, film);
+        run_session(imported.scene, *choose_estimator(imported.scene).estimator, {}, film);
     EXPECT_EQ(result.invalid_samples, 0) << file;
     return {std::move(imported), std::move(film)};
 }
