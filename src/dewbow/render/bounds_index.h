@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Which of many boxes overlap one: a binary tree, so that all pairs of a million shapes need not be
+// Which of many boxes overlap one: by a tree, so that all pairs of a million shapes need not be
 // looked at.
 
 #include <functional>
 #include <vector>
 
-#include "dewbow/scene/scene.h"
+#include "dewbow/render/bounds_tree.h"
 
 namespace dewbow {
 
@@ -23,16 +23,8 @@ public:
     const Bounds& operator[](std::size_t i) const { return boxes_[i]; }
 
 private:
-    struct Node {
-        Bounds bounds;
-        std::uint32_t first = 0, count = 0;  ///< of order_, in leaves
-        std::uint32_t right = 0;             ///< the left child is the next node; 0 in leaves
-    };
-    std::uint32_t build(std::uint32_t first, std::uint32_t end);
-
     std::vector<Bounds> boxes_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Node> nodes_;
+    BoundsTree tree_;
 };
 
 }  // namespace dewbow

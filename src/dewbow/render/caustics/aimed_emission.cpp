@@ -69,14 +69,10 @@ std::optional<EmittedRay> AimedEmission::sample(double u_light,
 double AimedEmission::density_of(std::size_t lamp, const Ray& ray) const {
     const double low = edges_[lamp], share = edges_[lamp + 1] - low;
     if (!(share > 0.0)) return 0.0;
-    std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
-    const int count = maps_[int(lamp)].places(ray, places);
-    double sum = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const auto& [u, pdf] = places[std::size_t(i)];
-        sum += pdf * density_.density({low + 0.5 * share, u[0], u[1], u[2], u[3]});
-    }
-    return share * sum;
+    const auto place = maps_[int(lamp)].place(ray);
+    if (!place) return 0.0;
+    const auto& [u, pdf] = *place;
+    return share * pdf * density_.density({low + 0.5 * share, u[0], u[1], u[2], u[3]});
 }
 
 double AimedEmission::density_of_hit(const Hit& lamp, Vec3 point, const Ray& camera_ray) const {
@@ -100,11 +96,8 @@ double AimedEmission::density_of_sample(const LightSample& light, Vec3 receiver)
                   {-1, light.primitive, false}};
     const auto lamp = std::size_t(maps_.of(light.source, light.index));
     if (!light.without_extent) return density_of(lamp, ray);
-    std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
-    const int count = maps_[int(lamp)].places(ray, places);
-    double sum = 0.0;
-    for (int i = 0; i < count; ++i) sum += places[std::size_t(i)].pdf;
-    return (edges_[lamp + 1] - edges_[lamp]) * sum;
+    const auto place = maps_[int(lamp)].place(ray);
+    return place ? (edges_[lamp + 1] - edges_[lamp]) * place->pdf : 0.0;
 }
 
 }  // namespace dewbow::caustics

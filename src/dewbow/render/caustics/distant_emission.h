@@ -12,8 +12,6 @@ class DistantEmission final : public GroupedEmission {
 public:
     DistantEmission(const InfiniteLight& light, int index, const Aims& aims);
 
-    int dimensions() const override { return light_.parallel() ? 2 : 4; }
-
 private:
     std::optional<EmittedRay> towards(int target, const std::array<double, 4>& u) const override;
     std::optional<Place> place_towards(int target, const Ray& ray) const override;

@@ -38,13 +38,11 @@ double flux(const Scene& scene) {
         const auto ray =
             map.ray({a[0], a[1], key.third(0, Purpose::test), key.fourth(0, Purpose::test)});
         if (!ray || !ready.prepared.accelerator.intersect(ray->ray)) continue;
-        std::array<EmissionMap::Place, EmissionMap::kMostPlaces> places;
-        double density = 0.0;
-        for (int k = map.places(ray->ray, places); k > 0; --k)
-            density += places[std::size_t(k - 1)].pdf;
+        const auto place = map.place(ray->ray);
+        if (!place) continue;
         LaneValues carried;
         radiance(*ray, ready.prepared.lights, lanes, rgb, carried);
-        sum += carried[0] / density / kRays;
+        sum += carried[0] / place->pdf / kRays;
     }
     return sum;
 }

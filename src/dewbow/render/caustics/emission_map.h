@@ -45,24 +45,20 @@ public:
 
     LightSample::Source source() const { return source_; }
     int index() const { return index_; }
-    /// How many of the four numbers count, from the first on: 4 (place 0 and 1, direction 2 and 3),
-    /// or 2 of lamps without extent. The others are not looked at.
-    virtual int dimensions() const = 0;
-
+    /// The first two numbers are the place, the last two the direction; of lamps without extent
+    /// only two count, and the others are not looked at.
+    ///
     /// Nothing where the numbers give no ray towards a caster; their share is lost.
     virtual std::optional<EmittedRay> ray(const std::array<double, 4>& u) const = 0;
 
     struct Place {
-        std::array<double, 4> u;  ///< those beyond dimensions() are 0.5
+        std::array<double, 4> u;  ///< those that do not count are 0.5
         double pdf;               ///< > 0, in the unit of EmittedRay::pdf
     };
-    static constexpr int kMostPlaces = 1;
-    /// Every place that gives `ray`, which leaves this lamp: one, or none if it can give no such
-    /// ray. Returns how many.
+    /// The place that gives `ray`, which leaves this lamp; nothing if it can give no such ray.
     /// @param ray  as ray() gives it. Its `from` is looked at if the lamp is a surface. Of lamps
     /// infinitely far the origin may lie anywhere along the ray.
-    /// @param places  room for kMostPlaces.
-    virtual int places(const Ray& ray, std::span<Place> places) const = 0;
+    virtual std::optional<Place> place(const Ray& ray) const = 0;
 
     /// About the flux towards the casters (Y of W nm⁻¹, white 1), were nothing in between. 0 only
     /// if there is none for certain.

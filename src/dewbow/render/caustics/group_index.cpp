@@ -56,37 +56,12 @@ struct Nearest {
 
 GroupIndex::GroupIndex(const std::vector<CasterBounds>& groups) : groups_(groups) {
     std::vector<Bounds> boxes;
+    std::vector<std::uint32_t> members;
     for (std::uint32_t i = 0; i < groups.size(); ++i) {
         boxes.push_back(groups[i].box());
-        (groups[i].endless() ? endless_ : order_).push_back(i);
+        (groups[i].endless() ? endless_ : members).push_back(i);
     }
-    if (!order_.empty()) build(0, std::uint32_t(order_.size()), boxes);
-}
-
-/// The node of order_[first, end). Returns its index.
-std::uint32_t GroupIndex::build(std::uint32_t first, std::uint32_t end,
-                                const std::vector<Bounds>& boxes) {
-    const auto node = std::uint32_t(nodes_.size());
-    nodes_.push_back({{}, first, end - first, 0});
-    Bounds bounds, centres;
-    for (std::uint32_t i = first; i < end; ++i) {
-        const Bounds& box = boxes[order_[i]];
-        bounds.add(box.low);
-        bounds.add(box.high);
-        centres.add(box.centre());
-    }
-    nodes_[node].bounds = bounds;
-    if (end - first <= kMostInLeaf) return node;
-    const Vec3 size = centres.high - centres.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::uint32_t middle = first + (end - first) / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         return boxes[a].centre()[axis] < boxes[b].centre()[axis];
-                     });
-    build(first, middle, boxes);
-    nodes_[node].right = build(middle, end, boxes);
-    return node;
+    tree_ = BoundsTree(boxes, std::move(members), kMostInLeaf);
 }
 
 int GroupIndex::first_on_line(Vec3 origin, Vec3 direction) const {
@@ -107,13 +82,13 @@ int GroupIndex::first(Vec3 origin, Vec3 direction, double from) const {
         if (in < kInfinity) pending[count++] = {node, in};
     };
     const auto entry_of = [&](std::uint32_t node) {
-        return entry(nodes_[node].bounds, origin, inverse, from);
+        return entry(tree_.nodes[node].bounds, origin, inverse, from);
     };
-    if (!nodes_.empty()) visit(0, entry_of(0));
+    if (!tree_.nodes.empty()) visit(0, entry_of(0));
     while (count > 0) {
         const auto [at, in] = pending[--count];
         if (in > nearest.limit()) continue;
-        const Node& node = nodes_[at];
+        const BoundsTree::Node& node = tree_.nodes[at];
         if (node.right) {
             // The nearer one is looked at first.
             const double left = entry_of(at + 1), right = entry_of(node.right);
@@ -123,7 +98,7 @@ int GroupIndex::first(Vec3 origin, Vec3 direction, double from) const {
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            nearest.look_at(order_[i], groups_[order_[i]], origin, direction, from);
+            nearest.look_at(tree_.order[i], groups_[tree_.order[i]], origin, direction, from);
     }
     return nearest.t < kInfinity ? int(nearest.group) : -1;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Which group of casters a ray meets first: a binary tree of boxes, so that ten thousand groups
+// Which group of casters a ray meets first: by a tree of boxes, so that ten thousand groups
 // cost little more than ten.
 
 #include <cstdint>
 #include <vector>
 
+#include "dewbow/render/bounds_tree.h"
 #include "dewbow/render/caustics/caster_bounds.h"
 
 namespace dewbow::caustics {
@@ -23,17 +24,11 @@ public:
     int first_on_line(Vec3 origin, Vec3 direction) const;
 
 private:
-    struct Node {
-        Bounds bounds;
-        std::uint32_t first = 0, count = 0;  ///< of order_, in leaves
-        std::uint32_t right = 0;             ///< the left child is the next node; 0 in leaves
-    };
-    std::uint32_t build(std::uint32_t first, std::uint32_t end, const std::vector<Bounds>& boxes);
     int first(Vec3 origin, Vec3 direction, double from) const;
 
     const std::vector<CasterBounds>& groups_;
-    std::vector<std::uint32_t> endless_, order_;
-    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> endless_;
+    BoundsTree tree_;  ///< of the others
 };
 
 }  // namespace dewbow::caustics

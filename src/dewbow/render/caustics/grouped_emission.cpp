@@ -81,17 +81,15 @@ std::optional<EmittedRay> GroupedEmission::ray(const std::array<double, 4>& u) c
     return ray;
 }
 
-int GroupedEmission::places(const Ray& ray, std::span<Place> places) const {
+std::optional<EmissionMap::Place> GroupedEmission::place(const Ray& ray) const {
     const int target = choose_ ? target_of(ray) : -1;
-    if (target < 0) return 0;
+    if (target < 0) return std::nullopt;
     const double chosen = choose_->probability(std::size_t(target));
-    if (!(chosen > 0.0)) return 0;
     std::optional<Place> place = place_towards(target, ray);
-    if (!place || !(place->pdf > 0.0)) return 0;
+    if (!place || !(place->pdf * chosen > 0.0)) return std::nullopt;
     place->u[axis_] = number_of(*choose_, std::size_t(target), place->u[axis_]);
     place->pdf *= chosen;
-    places[0] = *place;
-    return 1;
+    return place;
 }
 
 }  // namespace dewbow::caustics

@@ -15,7 +15,7 @@ namespace dewbow::caustics {
 class GroupedEmission : public EmissionMap {
 public:
     std::optional<EmittedRay> ray(const std::array<double, 4>& u) const final;
-    int places(const Ray& ray, std::span<Place> places) const final;
+    std::optional<Place> place(const Ray& ray) const final;
     double power() const final { return power_; }
 
 protected:

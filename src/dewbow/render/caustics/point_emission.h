@@ -12,8 +12,6 @@ class PointEmission final : public GroupedEmission {
 public:
     PointEmission(const PunctualLight& light, int index, const Aims& aims);
 
-    int dimensions() const override { return 2; }
-
 private:
     std::optional<EmittedRay> towards(int target, const std::array<double, 4>& u) const override;
     std::optional<Place> place_towards(int target, const Ray& ray) const override;

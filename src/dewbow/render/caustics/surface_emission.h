@@ -11,8 +11,6 @@ class SurfaceEmission final : public GroupedEmission {
 public:
     SurfaceEmission(const GlowingShape& shape, int index, const Aims& aims);
 
-    int dimensions() const override { return 4; }
-
 private:
     std::optional<EmittedRay> towards(int target, const std::array<double, 4>& u) const override;
     std::optional<Place> place_towards(int target, const Ray& ray) const override;
