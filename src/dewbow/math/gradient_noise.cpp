@@ -1,42 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/math/gradient_noise.h"
 
+#include <array>
+
 #include "dewbow/base/random.h"
 
 namespace dewbow {
 namespace {
 
-/// The gradient at a lattice point, times `offset` from there.
-double ramp(std::uint64_t hash, Vec3 offset) {
-    // Middles of the twelve edges of a cube; four of them twice, as in the source.
-    static constexpr signed char kGradients[16][3] = {
-        {1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}, {1, 0, 1},  {-1, 0, 1},
-        {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1},
-        {1, 1, 0},  {-1, 1, 0},  {0, -1, 1}, {0, -1, -1}};
-    const auto& g = kGradients[hash & 15];
-    return g[0] * offset.x + g[1] * offset.y + g[2] * offset.z;
+/// The gradient at a lattice point of that number, times `offset` from there.
+double ramp(std::uint64_t number, Vec3 offset) {
+    static constexpr std::array<Vec3, 12> kGradients{{{1, 1, 0},
+                                                      {-1, 1, 0},
+                                                      {1, -1, 0},
+                                                      {-1, -1, 0},
+                                                      {1, 0, 1},
+                                                      {-1, 0, 1},
+                                                      {1, 0, -1},
+                                                      {-1, 0, -1},
+                                                      {0, 1, 1},
+                                                      {0, -1, 1},
+                                                      {0, 1, -1},
+                                                      {0, -1, -1}}};
+    const std::uint64_t hash = mix_bits(number) >> 32;
+    return dot(kGradients[std::size_t(hash * kGradients.size() >> 32)], offset);
 }
 
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 double mixed(double a, double b, double t) { return a + t * (b - a); }
 
+/// std::floor is a call on plain x86-64.
+std::int64_t floor_of(double x) {
+    const auto whole = std::int64_t(x);
+    return whole - (double(whole) > x);
+}
+
 }  // namespace
 
 double gradient_noise(Vec3 p, std::uint64_t seed) {
-    const Vec3 corner{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
-    const Vec3 f = p - corner;
-    const auto ix = std::int64_t(corner.x), iy = std::int64_t(corner.y),
-               iz = std::int64_t(corner.z);
-    const auto at = [&](int dx, int dy, int dz) {
-        std::uint64_t hash = hash_combine(seed, std::uint64_t(ix + dx));
-        hash = hash_combine(hash, std::uint64_t(iy + dy));
-        hash = hash_combine(hash, std::uint64_t(iz + dz));
-        return ramp(hash, f - Vec3{double(dx), double(dy), double(dz)});
-    };
+    constexpr std::uint64_t kX = 0x9e3779b97f4a7c15ULL, kY = 0xc2b2ae3d27d4eb4fULL,
+                            kZ = 0x165667b19e3779f9ULL;  // odd, and without a pattern
+    const std::int64_t i = floor_of(p.x), j = floor_of(p.y), k = floor_of(p.z);
+    const Vec3 f = p - Vec3{double(i), double(j), double(k)};
+    const std::uint64_t corner =
+        mix_bits(seed) + std::uint64_t(i) * kX + std::uint64_t(j) * kY + std::uint64_t(k) * kZ;
     const double u = fade(f.x), v = fade(f.y), w = fade(f.z);
-    const auto row = [&](int dy, int dz) { return mixed(at(0, dy, dz), at(1, dy, dz), u); };
-    const auto plane = [&](int dz) { return mixed(row(0, dz), row(1, dz), v); };
-    return mixed(plane(0), plane(1), w);
+    const auto row = [&](std::uint64_t at, double y, double z) {
+        return mixed(ramp(at, {f.x, y, z}), ramp(at + kX, {f.x - 1.0, y, z}), u);
+    };
+    const auto plane = [&](std::uint64_t at, double z) {
+        return mixed(row(at, f.y, z), row(at + kY, f.y - 1.0, z), v);
+    };
+    return mixed(plane(corner, f.z), plane(corner + kZ, f.z - 1.0), w);
 }
 
 }  // namespace dewbow

@@ -17,7 +17,7 @@ namespace dewbow {
 ///                                √2 towards the middles of a cube's edges, here chosen by
 ///                                mix_bits]
 /// @param p  in units of the lattice, each coordinate within ±2⁵².
-/// @return  within ±1.04.
+/// @return  within ±1.04.   Cost: about 50 ns.
 double gradient_noise(Vec3 p, std::uint64_t seed);
 
 }  // namespace dewbow
