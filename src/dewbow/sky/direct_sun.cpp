@@ -10,6 +10,7 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/math/interpolation.h"
+#include "dewbow/sky/air_column.h"
 #include "dewbow/spectrum/lanewise.h"
 
 namespace dewbow {
@@ -18,6 +19,10 @@ namespace {
 constexpr double kStandardPressure_hPa = 1013.25;
 /// Molecules per m² of one Dobson unit.
 constexpr double kDobson_per_m2 = 2.6867e20;
+
+constexpr double kMostDepth = 5.0;  ///< of haze
+/// −ln of the contrast that is just seen, 2 %.
+const double kKoschmieder = -std::log(0.02);
 
 /// Absorption cross section of a molecule of ozone, m², in bins of 10 nm from 360 nm.
 constexpr double kFirstOzoneBin_nm = 365.0, kOzoneBin_nm = 10.0;
@@ -41,11 +46,18 @@ void check_altitude(Angle altitude) {
                                  altitude.to(unit::deg)));
 }
 
+/// m⁻¹ on the ground.
+double air_extinction_550nm(const ClearSky& sky) {
+    return rayleigh_depth(550.0 * unit::nm) * sky.pressure_hPa / kStandardPressure_hPa *
+           air_density(0.0).air;
+}
+
 class DirectTransmittance final : public Lanewise<DirectTransmittance> {
 public:
     DirectTransmittance(Angle altitude, const ClearSky& sky)
         : sky_(sky),
           air_mass_(relative_air_mass(altitude)),
+          haze_mass_(relative_haze_mass(altitude)),
           ozone_mass_(relative_ozone_mass(altitude)) {}
 
     double value_at(double lambda_nm) const {
@@ -53,14 +65,14 @@ public:
         const double aerosol =
             sky_.aerosol_depth_500nm * std::pow(lambda_nm / 500.0, -sky_.angstrom_exponent);
         const double rayleigh = rayleigh_depth(lambda) * sky_.pressure_hPa / kStandardPressure_hPa;
-        return std::exp(-air_mass_ * (rayleigh + aerosol) -
+        return std::exp(-air_mass_ * rayleigh - haze_mass_ * aerosol -
                         ozone_mass_ * ozone_depth(lambda, sky_.ozone_dobson));
     }
     double max_value() const override { return 1.0; }
 
 private:
     ClearSky sky_;
-    double air_mass_, ozone_mass_;
+    double air_mass_, haze_mass_, ozone_mass_;
 };
 
 class Product final : public Lanewise<Product> {
@@ -93,6 +105,11 @@ double relative_ozone_mass(Angle altitude) {
     return (1.0 + kHeight) / std::sqrt(s * s + 2.0 * kHeight);
 }
 
+double relative_haze_mass(Angle altitude) {
+    check_altitude(altitude);
+    return air_mass_to_space(0.0, sin(altitude)).haze;
+}
+
 double rayleigh_depth(Wavelength lambda) {
     const double per_um2 = 1e6 / std::pow(lambda.to(unit::nm), 2);
     return 0.008569 * per_um2 * per_um2 * (1.0 + 0.0113 * per_um2 + 0.00013 * per_um2 * per_um2);
@@ -104,11 +121,39 @@ double ozone_depth(Wavelength lambda, double dobson) {
                                       lambda.to(unit::nm));
 }
 
-SpectrumPtr make_direct_transmittance(Angle altitude, const ClearSky& sky) {
+void validate(const ClearSky& sky) {
     check_range(sky.pressure_hPa, 100.0, 1100.0, "pressure");
-    check_range(sky.aerosol_depth_500nm, 0.0, 5.0, "aerosol depth");
+    check_range(sky.aerosol_depth_500nm, 0.0, kMostDepth, "aerosol depth");
     check_range(sky.angstrom_exponent, -1.0, 4.0, "Ångström exponent");
     check_range(sky.ozone_dobson, 0.0, 700.0, "ozone column");
+    check_range(sky.aerosol_albedo, 0.0, 1.0, "albedo of the aerosol");
+    check_range(sky.aerosol_asymmetry, 0.0, 0.85, "asymmetry of the aerosol");
+    check_range(sky.ground_albedo, 0.0, 1.0, "ground albedo");
+}
+
+double aerosol_depth_from_visibility(Length visibility, const ClearSky& sky) {
+    const double clean_km = kKoschmieder / air_extinction_550nm(sky) * 1e-3;
+    const double km = visibility.to(1000.0 * unit::m);
+    if (!(km >= 1.0 && km <= clean_km))
+        throw InputError(fmt::format(
+            "visibility {:.6g} km of a clear sky; expected 1 km to {:.0f} km, that of clean air",
+            km, clean_km));
+    const double haze_per_m = kKoschmieder / (km * 1e3) - air_extinction_550nm(sky);
+    const double depth = haze_per_m * kHazeScale_m * std::pow(550.0 / 500.0, sky.angstrom_exponent);
+    if (depth > kMostDepth)
+        throw InputError(
+            fmt::format("visibility {:.6g} km makes haze of depth {:.3g}; expected at most {:.0f}",
+                        km, depth, kMostDepth));
+    return depth;
+}
+
+Length visibility_of(const ClearSky& sky) {
+    const double haze = sky.aerosol_depth_500nm * std::pow(550.0 / 500.0, -sky.angstrom_exponent);
+    return kKoschmieder / (air_extinction_550nm(sky) + haze / kHazeScale_m) * unit::m;
+}
+
+SpectrumPtr make_direct_transmittance(Angle altitude, const ClearSky& sky) {
+    validate(sky);
     return std::make_shared<DirectTransmittance>(altitude, sky);
 }
 

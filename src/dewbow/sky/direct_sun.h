@@ -15,7 +15,27 @@ struct ClearSky {
     double aerosol_depth_500nm = 0.1;  ///< β, vertical optical depth of haze, 0 to 5
     double angstrom_exponent = 1.3;    ///< α of β (λ / 500 nm)^{−α}, −1 to 4
     double ozone_dobson = 300.0;       ///< 0 to 700
+    // Haze of the continents, at 550 nm.       [Hess, Koepke & Schult, Bull. Am. Meteor. Soc. 79,
+    // 831 (1998), Table 4: continental average]
+    double aerosol_albedo = 0.925;     ///< share of its extinction that is scattered, 0 to 1
+    double aerosol_asymmetry = 0.703;  ///< g of Henyey & Greenstein's phase function, 0 to 0.85
+    double ground_albedo = 0.2;        ///< of a Lambertian ground, 0 to 1
+
+    bool operator==(const ClearSky&) const = default;
 };
+
+/// Throws InputError, one sentence, for a value outside its range.
+void validate(const ClearSky& sky);
+
+/// The depth of haze at 500 nm that makes dark things vanish at a distance V on the ground:
+/// 3.912 / V is the extinction at 550 nm of air and haze together.
+///                                                             [Koschmieder 1924; 2 % contrast]
+/// @param sky  its exponent and pressure count.
+/// Throws InputError unless 1 km ≤ V and clean air sees as far (about 330 km), or where the depth
+/// would be more than 5.
+double aerosol_depth_from_visibility(Length visibility, const ClearSky& sky = {});
+/// The inverse: V of a sky.
+Length visibility_of(const ClearSky& sky);
 
 /// Length of the path through air over that straight up, by the sun's apparent altitude h
 /// (refraction included): 1 / (sin h + 0.50572 (h/° + 6.07995)^{−1.6364}); 37.9 on the horizon.
@@ -36,6 +56,10 @@ double rayleigh_depth(Wavelength lambda);
 /// nm, linear between their middles.    [Gorshelev et al., Atmos. Meas. Tech. 7, 609 (2014),
 /// averaged by E. Bruneton's precomputed_atmospheric_scattering]
 double ozone_depth(Wavelength lambda, double dobson);
+
+/// And for haze that thins out exponentially by 1.5 km (air_column.h), by a straight ray over a
+/// sphere; 87 on the horizon.
+double relative_haze_mass(Angle altitude);
 
 /// The share of sunlight that arrives in the direct beam, by wavelength:
 /// exp(−m_air (τ_Rayleigh + τ_aerosol) − m_ozone τ_ozone). Haze is counted with the air's path.

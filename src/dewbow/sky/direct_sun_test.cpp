@@ -31,6 +31,16 @@ TEST(AirMass, IsThatOfTheFormulaAndOfAShell) {
     }
 }
 
+TEST(AirMass, OfHazeIsThatOfAnExponentialShell) {
+    // A straight line that grazes a sphere of radius R, density exp(−h / H): √(π R / 2 H) (1 + 3 H
+    // / 8 R).                                    [Chapman 1931, first terms of the grazing case]
+    constexpr double kSphere_m = 6371e3 / 0.87, kScale_m = 1500.0;
+    EXPECT_NEAR(relative_haze_mass({}), std::sqrt(std::acos(-1.0) * kSphere_m / (2.0 * kScale_m)),
+                0.05);
+    EXPECT_NEAR(relative_haze_mass(30.0 * deg), 2.0, 0.005);
+    EXPECT_NEAR(relative_haze_mass(90.0 * deg), 1.0, 2e-3);
+}
+
 TEST(RayleighDepth, AgreesWithBodhaine) {
     // B. Bodhaine et al., J. Atmos. Ocean. Tech. 16, 1854 (1999), eq. 30: another evaluation of
     // index and depolarisation.
@@ -54,7 +64,7 @@ TEST(OzoneDepth, HasTheChappuisBands) {
 
 /// T at 450, 500, 550, 600, 650 and 700 nm with β = 0.1, α = 1.3, and 300 Dobson units as a
 /// Gaussian of 0.039 exp(−((λ − 602)/55)²), all along the air's path: an own computation, five
-/// decimals.
+/// decimals. Haze by its own path takes more from a low sun, by what is put back here.
 TEST(DirectTransmittance, IsTheReferenceWithItsOzoneTakenOff) {
     const struct {
         double altitude_deg, t[6];
@@ -70,10 +80,12 @@ TEST(DirectTransmittance, IsTheReferenceWithItsOzoneTakenOff) {
     for (const auto& row : rows) {
         const SpectrumPtr t = make_direct_transmittance(row.altitude_deg * deg, sky);
         const double mass = relative_air_mass(row.altitude_deg * deg);
+        const double longer = relative_haze_mass(row.altitude_deg * deg) - mass;
         for (int k = 0; k < 6; ++k) {
             const double nm_value = 450.0 + 50.0 * k;
             const double ozone = 0.039 * std::exp(-std::pow((nm_value - 602.0) / 55.0, 2));
-            EXPECT_NEAR((*t)(nm_value * nm) * std::exp(-mass * ozone), row.t[k],
+            const double haze = 0.1 * std::pow(nm_value / 500.0, -1.3);
+            EXPECT_NEAR((*t)(nm_value * nm) * std::exp(longer * haze - mass * ozone), row.t[k],
                         6e-6 + 1e-3 * row.t[k])
                 << row.altitude_deg << " " << nm_value;
         }
@@ -140,8 +152,28 @@ TEST(DirectTransmittance, RefusesWithOneSentence) {
               "Ångström exponent 9 of a clear sky; expected -1 to 4");
     EXPECT_EQ(refusal({}, {1013.25, 0.1, 1.3, 3000.0}),
               "ozone column 3000 of a clear sky; expected 0 to 700");
+    ClearSky steep;
+    steep.aerosol_asymmetry = 0.95;
+    EXPECT_EQ(refusal({}, steep),
+              "asymmetry of the aerosol 0.95 of a clear sky; expected 0 to 0.85");
     EXPECT_EQ(refusal({}, {0.0, 0.1, 1.3, 300.0}),
               "pressure 0 of a clear sky; expected 100 to 1100");
+}
+
+TEST(Visibility, IsThatOf6SAndComesBack) {
+    // 23 km is haze of depth 0.235 at 550 nm.  [Vermote et al., 6S User Guide, 1997: standard
+    // visibility of the continental model]
+    constexpr double kOneScaleHeight = 0.05;  // 6S has its own profile of haze
+    ClearSky sky;
+    sky.angstrom_exponent = 0.0;
+    EXPECT_NEAR(aerosol_depth_from_visibility(23e3 * m, sky) / 0.235, 1.0, kOneScaleHeight);
+    sky.angstrom_exponent = 1.3;
+    for (const double km : {5.0, 20.0, 60.0, 200.0}) {
+        sky.aerosol_depth_500nm = aerosol_depth_from_visibility(km * 1e3 * m, sky);
+        EXPECT_NEAR(visibility_of(sky).to(m) / (km * 1e3), 1.0, 1e-12);
+    }
+    EXPECT_THROW(aerosol_depth_from_visibility(500e3 * m), InputError);
+    EXPECT_THROW(aerosol_depth_from_visibility(0.1e3 * m), InputError);
 }
 
 TEST(DirectSunlight, IsTheProductAndTurnsFromWhiteToRed) {
