@@ -65,6 +65,9 @@ struct CameraView {
     Projection projection;
     std::optional<ThinLens> lens;
     std::optional<StereoPair> stereo;
+    /// A polariser before the lens, turned by this from the camera's +y, counterclockwise as the
+    /// camera sees it: the axis of the light that it lets through.
+    std::optional<Angle> polariser = {};
 };
 
 enum class FilterKind { box, gaussian, blackman_harris };
