@@ -4,13 +4,13 @@
 // The paper's first rainbow: 13 coloured fogs in rings around the antisolar point.
 //                                                                      [Musgrave 1989, 4.3.1]
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "dewbow/base/quantity.h"
-#include "dewbow/base/random.h"
 #include "dewbow/spectrum/linear_model.h"
 
 namespace dewbow {
@@ -33,9 +33,10 @@ struct FogJitter {
     bool colour = false;
 };
 
-/// The fog of ring `index` (jittered by `key`), red outside; nothing where there is no fog.
+/// The fog of ring `index`, red outside; nothing where there is no fog.
+/// @param u  in [0, 1): what jitters the index, and the colour.
 std::optional<Colour<LinearSrgb>> ring_fog(double index, const FogJitter& jitter,
-                                           const SampleKey& key);
+                                           std::array<double, 2> u);
 
 /// A primary bow as the paper describes it.
 struct ImpressionisticBow {
@@ -43,6 +44,8 @@ struct ImpressionisticBow {
     enum class Index { by_cosine, by_angle } index = Index::by_cosine;
     FogJitter jitter;
 };
+/// Index of the ring at angle r from the antisolar point, before it is jittered.
+double ring_index(const ImpressionisticBow& bow, Angle r);
 
 /// Mean fog colour of `samples` rays at each angle from the antisolar point, black where none.
 std::vector<Colour<LinearSrgb>> impressionistic_strip(const ImpressionisticBow& bow,

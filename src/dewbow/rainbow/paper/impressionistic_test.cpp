@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,11 +58,11 @@ TEST(ImpressionisticBow, AnglesForCosinesGiveNoBow) {
 }
 
 TEST(ImpressionisticBow, IsRedOutsideAndThereIsNoFogBeside) {
-    const SampleKey key(1, 0);
+    const std::array<double, 2> u{0.3, 0.8};
     const auto samples = linear_spectrum_samples();
-    EXPECT_EQ(*ring_fog(0.0, {}, key), samples[0]);
-    EXPECT_EQ(*ring_fog(12.99, {}, key), samples[12]);
-    for (double index : {-0.5, -1e-9, 13.0, std::nan("")}) EXPECT_FALSE(ring_fog(index, {}, key));
+    EXPECT_EQ(*ring_fog(0.0, {}, u), samples[0]);
+    EXPECT_EQ(*ring_fog(12.99, {}, u), samples[12]);
+    for (double index : {-0.5, -1e-9, 13.0, std::nan("")}) EXPECT_FALSE(ring_fog(index, {}, u));
 }
 
 TEST(ImpressionisticBow, JitterStaysWithinItsWidth) {
@@ -69,16 +70,16 @@ TEST(ImpressionisticBow, JitterStaysWithinItsWidth) {
     // δ = 1 around 6.5 never leaves ring 6; δ = 2 reaches its neighbours, each a quarter of times.
     constexpr int kSamples = 4096;
     int own = 0;
-    for (std::uint32_t s = 0; s < kSamples; ++s) {
-        EXPECT_EQ(*ring_fog(6.5, {1.0, false}, {7, s}), samples[6]);
-        own += *ring_fog(6.5, {2.0, false}, {7, s}) == samples[6];
+    for (int s = 0; s < kSamples; ++s) {
+        const std::array<double, 2> u{(s + 0.5) / kSamples, 0.0};
+        EXPECT_EQ(*ring_fog(6.5, {1.0, false}, u), samples[6]);
+        own += *ring_fog(6.5, {2.0, false}, u) == samples[6];
     }
-    // Stratified: 1 in 4096 off.
     EXPECT_NEAR(double(own) / kSamples, 0.5, 1.0 / kSamples);
     // Colour jitter takes all of the ring's interval, and its mean on a straight piece.
     double least = 1.0, most = 0.0, mean = 0.0;
-    for (std::uint32_t s = 0; s < kSamples; ++s) {
-        const double green = (*ring_fog(2.5, {0.0, true}, {7, s}))[1];
+    for (int s = 0; s < kSamples; ++s) {
+        const double green = (*ring_fog(2.5, {0.0, true}, {0.5, (s + 0.5) / kSamples}))[1];
         least = std::min(least, green), most = std::max(most, green);
         mean += green / kSamples;
     }
