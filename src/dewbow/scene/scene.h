@@ -12,6 +12,7 @@
 #include "dewbow/scene/light.h"
 #include "dewbow/scene/material.h"
 #include "dewbow/scene/medium.h"
+#include "dewbow/scene/rain.h"
 #include "dewbow/scene/shape.h"
 #include "dewbow/spectrum/wavelengths.h"
 
@@ -41,6 +42,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Light> lights;
+    std::vector<Rain> rains;
     CameraView camera;                ///< takes the picture
     std::vector<CameraView> cameras;  ///< all that a file offers, by name; its own choice first
     Film film;
