@@ -5,10 +5,12 @@
 // body and fills only what the surroundings fill: there is none inside glass or water.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "dewbow/scene/shape.h"
+#include "dewbow/sky/chaos.h"
 #include "dewbow/sky/rain_region.h"
 
 namespace dewbow {
@@ -26,6 +28,8 @@ struct Rain {
     std::string name;
     std::variant<ConvexRegion, MeshRegion> region;
     DropCloudPtr drops;  ///< what the drops of a metre of it do to light
+    /// By what share of that the density changes from place to place; nothing: the same everywhere.
+    std::optional<Chaos> chaos;
 };
 
 }  // namespace dewbow
