@@ -60,8 +60,8 @@ private:
 
 class ClearAir final : public Aerial {
 public:
-    ClearAir(const ClearSky& sky, const SunPlace& sun, Dir<World> to_sun, SpectrumPtr above)
-        : sky_(sky), sun_(sun), to_sun_(to_sun), above_(std::move(above)), masses_(sun.altitude) {
+    ClearAir(const ClearSky& sky, const ClearDay& day, Dir<World> to_sun, SpectrumPtr above)
+        : sky_(sky), sun_(day.sun), to_sun_(to_sun), above_(std::move(above)), masses_(day.masses) {
         for (int f = 0; f < SkyTable::kFineWavelengths; ++f)
             optics_[f] = air_optics(sky, (kLambdaMin_nm + SkyTable::kFineStep_nm * f) * unit::nm);
     }
@@ -114,9 +114,9 @@ private:
 
 }  // namespace
 
-AerialPtr make_clear_air(const ClearSky& sky, const SunPlace& sun, Dir<World> to_sun,
+AerialPtr make_clear_air(const ClearSky& sky, const ClearDay& day, Dir<World> to_sun,
                          SpectrumPtr above) {
-    return std::make_shared<ClearAir>(sky, sun, to_sun, std::move(above));
+    return std::make_shared<ClearAir>(sky, day, to_sun, std::move(above));
 }
 
 }  // namespace dewbow

@@ -10,7 +10,7 @@
 namespace dewbow {
 
 /// @param to_sun  unit, in the world.   @param above  the sun's irradiance above the atmosphere.
-AerialPtr make_clear_air(const ClearSky& sky, const SunPlace& sun, Dir<World> to_sun,
+AerialPtr make_clear_air(const ClearSky& sky, const ClearDay& day, Dir<World> to_sun,
                          SpectrumPtr above);
 
 }  // namespace dewbow

@@ -87,13 +87,13 @@ std::vector<double> luminance_weights(const Spectrum& light) {
 
 class Dome final : public ClearSkyDome {
 public:
-    Dome(const ClearSky& sky, Dir<World> to_sun, SpectrumPtr above)
+    Dome(const ClearSky& sky, const ClearDay& day, Dir<World> to_sun, SpectrumPtr above)
         : to_sun_(to_sun),
           above_(std::move(above)),
-          table_(sky_light(sky, sun_place(to_sun))),
+          table_(sky_light(day)),
           diffuse_(diffuse_share(table_)),
-          aerial_(make_clear_air(sky, sun_place(to_sun), to_sun, above_)) {
-        light_ground(sky, sun_place(to_sun));
+          aerial_(make_clear_air(sky, day, to_sun, above_)) {
+        light_ground(sky.ground_albedo, day);
         const std::vector<double> weights = luminance_weights(*above_);
         luminance_ = table_.weighted_sum(weights);
         for (int f = 0; f < SkyTable::kFineWavelengths; ++f)
@@ -137,14 +137,14 @@ private:
     }
 
     /// The ground sends back what comes down on it from sky and sun.
-    void light_ground(const ClearSky& sky, const SunPlace& sun) {
-        const SkyOptics optics = sky_optics(sky);
-        const AirParts mass = air_mass_to_space(0.0, sun.sine);
+    void light_ground(double albedo, const ClearDay& day) {
+        const AirParts mass = air_mass_to_space(0.0, day.sun.sine);
         std::array<double, kSkyWavelengths> direct;
-        for (int k = 0; k < kSkyWavelengths; ++k) direct[k] = std::exp(-dot(optics[k].depth, mass));
+        for (int k = 0; k < kSkyWavelengths; ++k)
+            direct[k] = std::exp(-dot(day.optics[k].depth, mass));
         ground_ = refine_over_wavelength(direct);
         for (std::size_t f = 0; f < ground_.size(); ++f)
-            ground_[f] = sky.ground_albedo / kPi * (ground_[f] * sun.sine + diffuse_[f]);
+            ground_[f] = albedo / kPi * (ground_[f] * day.sun.sine + diffuse_[f]);
     }
 
     Dir<World> to_sun_;
@@ -162,7 +162,8 @@ private:
 ClearSkyDomePtr make_clear_sky_dome(const ClearSky& sky, Dir<World> to_sun,
                                     SpectrumPtr above_atmosphere) {
     validate(sky);
-    return std::make_shared<Dome>(sky, to_sun, std::move(above_atmosphere));
+    const ClearDay day(sky, sun_place(to_sun));
+    return std::make_shared<Dome>(sky, day, to_sun, std::move(above_atmosphere));
 }
 
 }  // namespace dewbow

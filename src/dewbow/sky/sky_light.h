@@ -7,23 +7,26 @@
 #include <vector>
 
 #include "dewbow/sky/air_optics.h"
+#include "dewbow/sky/diffuse_light.h"
 #include "dewbow/sky/sight_line.h"
 #include "dewbow/sky/sky_table.h"
 
 namespace dewbow {
 
-/// The air at the wavelengths of a sky.
-using SkyOptics = std::array<AirOptics, kSkyWavelengths>;
-SkyOptics sky_optics(const ClearSky& sky);
+/// A clear day at kSkyWavelengths: its air, its sun, and what has been scattered before.
+struct ClearDay {
+    /// Throws nothing; `sky` has been validated.
+    ClearDay(const ClearSky& sky, const SunPlace& sun);
 
-/// The sun, at azimuth 0.
-struct SunPlace {
-    double altitude;  ///< radians, 0 to π/2
-    double sine, cosine;
+    double asymmetry;
+    SunPlace sun;
+    SunMasses masses;
+    std::array<AirOptics, kSkyWavelengths> optics;
+    std::vector<DiffuseLight> diffuse;
 };
 
 /// Radiance over the sun's irradiance above the atmosphere, sr⁻¹:
 /// [elevation][azimuth][wavelength].
-std::vector<double> sky_light(const ClearSky& sky, const SunPlace& sun);
+std::vector<double> sky_light(const ClearDay& day);
 
 }  // namespace dewbow

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dewbow/sky/diffuse_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dewbow/math/quadrature.h"
+
+namespace dewbow {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kDegree = kDiffuseDegree, kLevels = kDiffuseLevels;
+/// Directions in a hemisphere, then up (0 to 11) and down (12 to 23).
+constexpr int kNodes = 12, kDirections = 2 * kNodes;
+constexpr double kLastOrder = 1e-4;
+constexpr int kMostOrders = 200;
+
+/// Values of one azimuthal mode in all directions.
+using Ring = std::array<double, kDirections>;
+/// [mode][level]
+using Field = std::vector<std::array<Ring, kLevels>>;
+
+/// Sines of altitude, their weights, and the harmonics there.
+struct Directions {
+    Directions() {
+        const QuadratureRule rule = gauss_legendre(kNodes);
+        for (int i = 0; i < kNodes; ++i) {
+            sine[i] = 0.5 + 0.5 * rule.nodes[i];
+            sine[i + kNodes] = -sine[i];
+            weight[i] = weight[i + kNodes] = 0.5 * rule.weights[i];
+        }
+        std::array<double, kDiffuseHarmonics> at;
+        for (int i = 0; i < kDirections; ++i) {
+            legendre_harmonics(kDegree, sine[i], at);
+            for (std::size_t n = 0; n < at.size(); ++n) harmonic[n][i] = at[n];
+        }
+    }
+    Ring sine, weight;
+    std::array<Ring, kDiffuseHarmonics> harmonic;
+};
+
+const Directions& directions() {
+    static const Directions all;
+    return all;
+}
+
+/// How a layer passes light on at one slant: what enters, and a source that is linear between its
+/// far and near side.
+struct Pass {
+    double through, far, near;
+};
+Pass pass_of(double slant_depth) {
+    const double t = slant_depth, e = std::exp(-t);
+    const double mean = t > 1e-3 ? (1.0 - e) / t : 1.0 - 0.5 * t + t * t / 6.0;
+    return {e, mean - e, 1.0 - mean};
+}
+
+/// The air at one wavelength in levels.
+struct Layers {
+    explicit Layers(const AirOptics& optics) {
+        const QuadratureRule rule = gauss_legendre(4);
+        for (int k = 0; k < kLevels; ++k) {
+            const AirParts here = air_density(diffuse_level_m(k));
+            const double extinction = dot(optics.depth, here);
+            air_share[k] = optics.depth.air * here.air / extinction;
+            haze_share[k] = optics.haze_scattering * here.haze / extinction;
+            if (k + 1 == kLevels) break;
+            const AirParts mass = integrate(rule, diffuse_level_m(k), diffuse_level_m(k + 1),
+                                            [](double h) { return air_density(h); });
+            for (int i = 0; i < kNodes; ++i)
+                pass[k][i] = pass_of(dot(optics.depth, mass) / directions().sine[i]);
+        }
+    }
+    /// Of the extinction at a level, what air and what haze scatter.
+    std::array<double, kLevels> air_share, haze_share;
+    std::array<std::array<Pass, kNodes>, kLevels - 1> pass;  ///< between levels k and k + 1
+};
+
+/// Successive orders.
+class Orders {
+public:
+    Orders(const AirOptics& optics, double asymmetry, double ground_albedo)
+        : layers_(optics),
+          air_(air_phase_moments()),
+          haze_(haze_phase_moments(asymmetry)),
+          albedo_(ground_albedo),
+          field_(kDegree + 1) {}
+
+    /// Field of what is scattered for the first time out of a beam.
+    void light_by_beam(const SunPlace& sun, const std::array<double, kLevels>& beam) {
+        std::array<double, kDiffuseHarmonics> towards;
+        legendre_harmonics(kDegree, sun.sine, towards);
+        std::vector<Harmonics> moments(kLevels);
+        for (int m = 0; m <= kDegree; ++m)
+            for (int l = m; l <= kDegree; ++l) {
+                const std::size_t n = harmonic_index(kDegree, m, l);
+                for (int k = 0; k < kLevels; ++k)
+                    moments[k][n] = beam[k] * towards[n] * (m == 0 ? 1.0 : 2.0) / (4.0 * kPi);
+            }
+        scatter(moments, sun.sine * beam[0]);
+    }
+
+    /// The next order: what the field's moments scatter and the ground sends back of `onto_ground`.
+    void scatter(const std::vector<Harmonics>& moments, double onto_ground) {
+        for (int m = 0; m <= kDegree; ++m) {
+            std::array<Ring, kLevels> source;
+            for (int k = 0; k < kLevels; ++k) source[k] = source_at(k, m, moments[k]);
+            flow(source, m == 0 ? albedo_ / kPi * onto_ground : 0.0, field_[m]);
+        }
+    }
+
+    std::vector<Harmonics> moments() const {
+        const Directions& all = directions();
+        std::vector<Harmonics> moments(kLevels);
+        for (int m = 0; m <= kDegree; ++m)
+            for (int k = 0; k < kLevels; ++k) {
+                Ring weighted;
+                for (int i = 0; i < kDirections; ++i)
+                    weighted[i] = 0.5 * all.weight[i] * field_[m][k][i];
+                for (int l = m; l <= kDegree; ++l) {
+                    const std::size_t n = harmonic_index(kDegree, m, l);
+                    double sum = 0.0;
+                    for (int i = 0; i < kDirections; ++i) sum += all.harmonic[n][i] * weighted[i];
+                    moments[k][n] = sum;
+                }
+            }
+        return moments;
+    }
+
+    double ground_irradiance() const {
+        double sum = 0.0;
+        for (int i = 0; i < kNodes; ++i)
+            sum += 2.0 * kPi * directions().weight[i] * directions().sine[i] * field_[0][0][i];
+        return sum;
+    }
+
+private:
+    Ring source_at(int level, int m, const Harmonics& moments) const {
+        Ring ring{};
+        for (int l = m; l <= kDegree; ++l) {
+            const std::size_t n = harmonic_index(kDegree, m, l);
+            const double c =
+                (layers_.air_share[level] * air_[l] + layers_.haze_share[level] * haze_[l]) *
+                moments[n];
+            for (int i = 0; i < kDirections; ++i) ring[i] += c * directions().harmonic[n][i];
+        }
+        return ring;
+    }
+
+    /// Radiance from its sources: nothing from above, `ground` from below.
+    void flow(const std::array<Ring, kLevels>& source, double ground,
+              std::array<Ring, kLevels>& field) const {
+        for (int i = 0; i < kNodes; ++i) field[kLevels - 1][i] = 0.0;
+        for (int k = kLevels - 2; k >= 0; --k)
+            for (int i = 0; i < kNodes; ++i) {
+                const Pass& p = layers_.pass[k][i];
+                field[k][i] =
+                    p.through * field[k + 1][i] + p.far * source[k + 1][i] + p.near * source[k][i];
+            }
+        for (int i = kNodes; i < kDirections; ++i) field[0][i] = ground;
+        for (int k = 1; k < kLevels; ++k)
+            for (int i = kNodes; i < kDirections; ++i) {
+                const Pass& p = layers_.pass[k - 1][i - kNodes];
+                field[k][i] =
+                    p.through * field[k - 1][i] + p.far * source[k - 1][i] + p.near * source[k][i];
+            }
+    }
+
+    Layers layers_;
+    PhaseMoments air_, haze_;
+    double albedo_;
+    Field field_;
+};
+
+/// Adds an order; returns its largest mean radiance over that of the sum.
+double add_order(std::vector<Harmonics>& sum, const std::vector<Harmonics>& order) {
+    double most = 0.0, last = 0.0;
+    for (int k = 0; k < kLevels; ++k) {
+        for (std::size_t n = 0; n < kDiffuseHarmonics; ++n) sum[k][n] += order[k][n];
+        most = std::max(most, sum[k][0]);
+        last = std::max(last, order[k][0]);
+    }
+    return most > 0.0 ? last / most : 0.0;
+}
+
+}  // namespace
+
+double diffuse_level_m(int k) {
+    const double v = static_cast<double>(k) / (kLevels - 1);
+    return kSkyTop_m * v * v * v;
+}
+
+PhaseMoments air_phase_moments() {
+    constexpr double kAnisotropy = (1.0 - kAirAnisotropy) / (1.0 + 2.0 * kAirAnisotropy);
+    PhaseMoments moments{};
+    moments[0] = 1.0;
+    moments[2] = 0.5 * kAnisotropy;
+    return moments;
+}
+
+PhaseMoments haze_phase_moments(double asymmetry) {
+    PhaseMoments moments;
+    for (int l = 0; l <= kDegree; ++l) moments[l] = (2 * l + 1) * std::pow(asymmetry, l);
+    return moments;
+}
+
+DiffuseLight::DiffuseLight(const AirOptics& optics, double asymmetry, double ground_albedo,
+                           const SunPlace& sun, const SunMasses& masses)
+    : moments_(kLevels, Harmonics{}) {
+    std::array<double, kLevels> beam;
+    for (int k = 0; k < kLevels; ++k)
+        beam[k] = visible_share_of_sun(diffuse_level_m(k), sun.sine) *
+                  std::exp(-dot(optics.depth, masses.at(diffuse_level_m(k), sun.sine)));
+    Orders orders(optics, asymmetry, ground_albedo);
+    orders.light_by_beam(sun, beam);
+    for (orders_ = 1; orders_ < kMostOrders; ++orders_) {
+        const std::vector<Harmonics> moments = orders.moments();
+        const double onto_ground = orders.ground_irradiance();
+        ground_irradiance_ += onto_ground;
+        if (add_order(moments_, moments) < kLastOrder) break;
+        orders.scatter(moments, onto_ground);
+    }
+}
+
+Harmonics DiffuseLight::moments_at(double height_m) const {
+    const double y =
+        std::clamp(std::cbrt(height_m / kSkyTop_m) * (kLevels - 1), 0.0, kLevels - 1.0);
+    const int k = std::min(static_cast<int>(y), kLevels - 2);
+    const double t = y - k;
+    Harmonics moments;
+    for (std::size_t n = 0; n < moments.size(); ++n)
+        moments[n] = (1.0 - t) * moments_[k][n] + t * moments_[k + 1][n];
+    return moments;
+}
+
+}  // namespace dewbow
