@@ -13,6 +13,7 @@
 #include "dewbow/scene/material.h"
 #include "dewbow/scene/medium.h"
 #include "dewbow/scene/rain.h"
+#include "dewbow/scene/rain_settings.h"
 #include "dewbow/scene/shape.h"
 #include "dewbow/spectrum/wavelengths.h"
 
@@ -36,6 +37,7 @@ struct RenderSettings {
     int roulette_depth = 6;
     Distributed1989Settings distributed_1989;
     CausticsSettings caustics;
+    RainSettings rain;
 };
 
 struct Scene {

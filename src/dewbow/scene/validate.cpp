@@ -42,6 +42,8 @@ void check_render(const RenderSettings& render) {
     check_distributed_1989(render.distributed_1989);
     check_range("caustics", "the number of light paths", render.caustics.light_paths, 0.0,
                 kMostLightPaths);
+    check_range("rain", "the number of orders", render.rain.orders, RainSettings::kAllOrders,
+                kMostRainOrders);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "dewbow/import/toml/caustics.h"
 #include "dewbow/import/toml/distributed_1989.h"
+#include "dewbow/import/toml/rain_settings.h"
 
 namespace dewbow::toml_import {
 namespace {
@@ -91,6 +92,7 @@ void read_render(const TomlDocument& document, const TomlValue* value, RenderSet
         int(table.integer("roulette_depth", 0, kMaxInt, settings.roulette_depth));
     read_distributed_1989(document, table.find("distributed_1989"), settings.distributed_1989);
     read_caustics(document, table.find("caustics"), settings.caustics);
+    read_rain_settings(document, table.find("rain"), settings.rain);
     table.finish();
 }
 

@@ -60,7 +60,8 @@ std::string path_settings(const RenderSettings& settings) {
     return "packet " + std::to_string(settings.packet) + ", max depth " +
            std::to_string(settings.max_depth) + ", roulette from " +
            std::to_string(settings.roulette_depth) + ", wavelengths " +
-           (settings.wavelengths == WavelengthSampling::visual ? "visual" : "uniform");
+           (settings.wavelengths == WavelengthSampling::visual ? "visual" : "uniform") + ", " +
+           text_of(settings.rain);
 }
 
 }  // namespace dewbow
