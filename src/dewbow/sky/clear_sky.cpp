@@ -29,7 +29,7 @@ SunPlace sun_place(Dir<World> to_sun) {
         throw InputError(
             fmt::format("the sun at {:.6g}°; a clear sky is known for 0° (the horizon) to 90°",
                         std::asin(std::clamp(to_sun.v.y, -1.0, 1.0)) * 180.0 / kPi));
-    return {std::asin(std::min(to_sun.v.y, 1.0)), to_sun.v.y, std::hypot(to_sun.v.x, to_sun.v.z)};
+    return SunPlace(std::asin(std::min(to_sun.v.y, 1.0)));
 }
 
 double fine_value(std::span<const double> fine, double lambda_nm) {

@@ -99,7 +99,7 @@ public:
                 for (int k = 0; k < kLevels; ++k)
                     moments[k][n] = beam[k] * towards[n] * (m == 0 ? 1.0 : 2.0) / (4.0 * kPi);
             }
-        scatter(moments, sun.sine * beam[0]);
+        scatter(moments, std::max(sun.sine, 0.0) * beam[0]);
     }
 
     /// The next order: what the field's moments scatter and the ground sends back of `onto_ground`.
@@ -206,33 +206,34 @@ PhaseMoments haze_phase_moments(double asymmetry) {
     return moments;
 }
 
-DiffuseLight::DiffuseLight(const AirOptics& optics, double asymmetry, double ground_albedo,
-                           const SunPlace& sun, const SunMasses& masses)
-    : moments_(kLevels, Harmonics{}) {
+DiffuseField diffuse_field(const AirOptics& optics, double asymmetry, double ground_albedo,
+                           const SunPlace& sun, const SunMasses& masses) {
     std::array<double, kLevels> beam;
     for (int k = 0; k < kLevels; ++k)
         beam[k] = visible_share_of_sun(diffuse_level_m(k), sun.sine) *
                   std::exp(-dot(optics.depth, masses.at(diffuse_level_m(k), sun.sine)));
+    DiffuseField field{std::vector<Harmonics>(kLevels, Harmonics{})};
     Orders orders(optics, asymmetry, ground_albedo);
     orders.light_by_beam(sun, beam);
-    for (orders_ = 1; orders_ < kMostOrders; ++orders_) {
+    for (field.orders = 1; field.orders < kMostOrders; ++field.orders) {
         const std::vector<Harmonics> moments = orders.moments();
         const double onto_ground = orders.ground_irradiance();
-        ground_irradiance_ += onto_ground;
-        if (add_order(moments_, moments) < kLastOrder) break;
+        field.ground_irradiance += onto_ground;
+        if (add_order(field.moments, moments) < kLastOrder) break;
         orders.scatter(moments, onto_ground);
     }
+    return field;
 }
 
-Harmonics DiffuseLight::moments_at(double height_m) const {
+Harmonics DiffuseField::at(double height_m) const {
     const double y =
         std::clamp(std::cbrt(height_m / kSkyTop_m) * (kLevels - 1), 0.0, kLevels - 1.0);
     const int k = std::min(static_cast<int>(y), kLevels - 2);
     const double t = y - k;
-    Harmonics moments;
-    for (std::size_t n = 0; n < moments.size(); ++n)
-        moments[n] = (1.0 - t) * moments_[k][n] + t * moments_[k + 1][n];
-    return moments;
+    Harmonics between;
+    for (std::size_t n = 0; n < between.size(); ++n)
+        between[n] = (1.0 - t) * moments[k][n] + t * moments[k + 1][n];
+    return between;
 }
 
 }  // namespace dewbow

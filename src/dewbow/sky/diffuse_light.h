@@ -5,6 +5,7 @@
 // haze scatter once more. Successive orders of scattering, in spherical harmonics.
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "dewbow/math/spherical_harmonics.h"
@@ -26,36 +27,33 @@ using Harmonics = std::array<double, kDiffuseHarmonics>;
 
 /// The sun, at azimuth 0.
 struct SunPlace {
-    double altitude;  ///< radians, 0 to π/2
+    explicit SunPlace(double altitude_rad)
+        : altitude(altitude_rad), sine(std::sin(altitude)), cosine(std::cos(altitude)) {}
+    double altitude;  ///< radians
     double sine, cosine;
 };
 
-/// The field at one wavelength, for an irradiance of 1 above the atmosphere.
-///
-/// The air is level and even; sunlight alone comes to each level along its true path over a sphere.
-/// Radiance by direction that one looks along: I(h, φ); a moment is ½ ∫ Λ_l^m I^m d(sin h), of
-/// I = Σ_m I^m cos mφ, by 12 Gaussian nodes a hemisphere. Orders are added until one is below 1e-4
-/// of their sum.
-class DiffuseLight {
-public:
-    DiffuseLight(const AirOptics& optics, double asymmetry, double ground_albedo,
-                 const SunPlace& sun, const SunMasses& masses);
+/// The field at one wavelength, for an irradiance of 1 above the atmosphere. Of its radiance by
+/// direction that one looks along, I = Σ_m I^m(sin h) cos mφ, it holds the moments
+/// ½ ∫ Λ_l^m I^m d(sin h).
+struct DiffuseField {
+    std::vector<Harmonics> moments;  ///< by level
+    double ground_irradiance = 0.0;  ///< scattered light that falls on the ground
+    int orders = 0;                  ///< that were added
 
     /// Moments at a height, linear in its cube root between levels.
-    Harmonics moments_at(double height_m) const;
-    /// Downward flux of scattered light on the ground.
-    double ground_irradiance() const { return ground_irradiance_; }
-    int orders() const { return orders_; }
-
-private:
-    std::vector<Harmonics> moments_;  ///< by level
-    double ground_irradiance_ = 0.0;
-    int orders_ = 0;
+    Harmonics at(double height_m) const;
 };
 
-/// What air makes of moments: harmonics of light scattered towards the eye per optical depth of
-/// scattering, sr⁻¹. Only l = 0 and 2 are not 0.
-/// (2l + 1) χ_l of each l from 0 to kDiffuseDegree, χ_l the phase function's moments.
+/// The field under a sun. Air is level and even; sunlight alone comes to each level along its true
+/// path over a sphere. 12 Gaussian directions a hemisphere; sources are linear in depth between
+/// levels; orders are added until one is below 1e-4 of their sum.
+/// @param sun  also a little below the horizon.   @param masses  made for a sun within 9° of it.
+DiffuseField diffuse_field(const AirOptics& optics, double asymmetry, double ground_albedo,
+                           const SunPlace& sun, const SunMasses& masses);
+
+/// What turns moments into the harmonics of light scattered towards the eye, per optical depth of
+/// scattering: (2l + 1) χ_l for l from 0 to kDiffuseDegree, with χ_l the phase function's moments.
 using PhaseMoments = std::array<double, kDiffuseDegree + 1>;
 PhaseMoments air_phase_moments();
 PhaseMoments haze_phase_moments(double asymmetry);

@@ -27,6 +27,7 @@ std::vector<SightStep> sight_line(double sin_elevation) {
     const double along = kSkyRadius_m * sin_elevation;
     const double top = kSkyRadius_m + kSkyTop_m;
     const double end = std::sqrt(top * top - kSkyRadius_m * kSkyRadius_m + along * along) - along;
+    const double cos_elevation = std::sqrt(1.0 - sin_elevation * sin_elevation);
     std::vector<SightStep> steps(kSightSteps);
     AirParts passed;
     for (int k = 0; k < kSightSteps; ++k) {
@@ -38,6 +39,7 @@ std::vector<SightStep> sight_line(double sin_elevation) {
         const double r = std::sqrt(kSkyRadius_m * kSkyRadius_m + s * (s + 2.0 * along));
         step.height_m = s * (s + 2.0 * along) / (r + kSkyRadius_m);
         step.sin_altitude = (along + s) / r;
+        step.level_angle = std::asin(s * cos_elevation / r);
         step.step_mass = (3.0 * u * u * end / kSightSteps) * air_density(step.height_m);
         step.mass = passed + 0.5 * step.step_mass;
         passed = passed + step.step_mass;

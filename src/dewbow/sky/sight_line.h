@@ -14,6 +14,7 @@ struct SightStep {
     double distance_m;    ///< from the eye
     double height_m;      ///< above the ground below it
     double sin_altitude;  ///< of the line above the level there
+    double level_angle;   ///< radians over the sphere from the eye: how much the level has tilted
     AirParts mass;        ///< relative masses from the eye to the step
     AirParts step_mass;   ///< of the step itself
 };

@@ -3,13 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
+#include <numbers>
 
 #include "dewbow/base/parallel.h"
 
 namespace dewbow {
 namespace {
+
+/// Of the sun's altitude, to both sides, between which the diffuse field is taken as linear.
+constexpr double kSlopeStep = 1.0 * std::numbers::pi / 180.0;
+
+DiffuseField slope_of(const DiffuseField& lower, const DiffuseField& higher, double step) {
+    DiffuseField slope = higher;
+    for (std::size_t level = 0; level < slope.moments.size(); ++level)
+        for (std::size_t n = 0; n < kDiffuseHarmonics; ++n)
+            slope.moments[level][n] = (higher.moments[level][n] - lower.moments[level][n]) / step;
+    return slope;
+}
 
 /// Light of an irradiance of 1 that air and haze scatter once towards the eye, added to `out` by
 /// wavelength.
@@ -33,32 +43,48 @@ void add_single_scattering(const std::vector<SightStep>& line, double elevation,
     }
 }
 
-/// Light that has been scattered before and is once more, along one elevation: its azimuthal modes.
-using Modes = std::array<double, kDiffuseDegree + 1>;
+/// Light that has been scattered before and is once more, along one elevation: its azimuthal modes
+/// as if all places had the eye's sun, and what comes on top, times cos φ, since they have not.
+struct Modes {
+    std::array<double, kDiffuseDegree + 1> even{}, tilted{};
+
+    double at(double azimuth) const {
+        const double towards = std::cos(azimuth);
+        double sum = 0.0;
+        for (int m = 0; m <= kDiffuseDegree; ++m)
+            sum += (even[m] + towards * tilted[m]) * std::cos(m * azimuth);
+        return std::max(sum, 0.0);
+    }
+};
+
+/// What a step of a line of sight scatters on to the eye, by degree l.
+PhaseMoments scattered_share(const SightStep& step, const AirOptics& optics,
+                             const PhaseMoments& air, const PhaseMoments& haze) {
+    const double left = std::exp(-dot(optics.depth, step.mass));
+    const double by_air = left * optics.depth.air * step.step_mass.air;
+    const double by_haze = left * optics.haze_scattering * step.step_mass.haze;
+    PhaseMoments share;
+    for (int l = 0; l <= kDiffuseDegree; ++l) share[l] = by_air * air[l] + by_haze * haze[l];
+    return share;
+}
 
 Modes multiple_scattering(const std::vector<SightStep>& line,
                           const std::vector<Harmonics>& harmonics, const ClearDay& day, int k) {
-    const AirOptics& o = day.optics[k];
     const PhaseMoments air = air_phase_moments(), haze = haze_phase_moments(day.asymmetry);
-    Modes modes{};
+    Modes modes;
     for (std::size_t s = 0; s < line.size(); ++s) {
-        const SightStep& step = line[s];
-        const double left = std::exp(-dot(o.depth, step.mass));
-        const double by_air = left * o.depth.air * step.step_mass.air;
-        const double by_haze = left * o.haze_scattering * step.step_mass.haze;
-        const Harmonics moments = day.diffuse[k].moments_at(step.height_m);
+        const PhaseMoments share = scattered_share(line[s], day.optics[k], air, haze);
+        const Harmonics here = day.diffuse[k].at(line[s].height_m);
+        const Harmonics slope = day.diffuse_slope[k].at(line[s].height_m);
+        const double higher = line[s].level_angle;
         std::size_t n = 0;
         for (int m = 0; m <= kDiffuseDegree; ++m)
-            for (int l = m; l <= kDiffuseDegree; ++l, ++n)
-                modes[m] += (by_air * air[l] + by_haze * haze[l]) * moments[n] * harmonics[s][n];
+            for (int l = m; l <= kDiffuseDegree; ++l, ++n) {
+                modes.even[m] += share[l] * harmonics[s][n] * here[n];
+                modes.tilted[m] += share[l] * harmonics[s][n] * slope[n] * higher;
+            }
     }
     return modes;
-}
-
-double at_azimuth(const Modes& modes, double azimuth) {
-    double sum = 0.0;
-    for (int m = 0; m <= kDiffuseDegree; ++m) sum += modes[m] * std::cos(m * azimuth);
-    return std::max(sum, 0.0);
 }
 
 /// One elevation, all azimuths: [azimuth][wavelength].
@@ -70,7 +96,7 @@ void light_row(const ClearDay& day, double elevation, double* out) {
     for (int k = 0; k < kSkyWavelengths; ++k) {
         const Modes modes = multiple_scattering(line, harmonics, day, k);
         for (int j = 0; j < kSkyAzimuths; ++j)
-            out[j * kSkyWavelengths + k] = at_azimuth(modes, sky_azimuth(j));
+            out[j * kSkyWavelengths + k] = modes.at(sky_azimuth(j));
     }
     for (int j = 0; j < kSkyAzimuths; ++j)
         add_single_scattering(line, elevation, sky_azimuth(j), day, out + j * kSkyWavelengths);
@@ -79,14 +105,20 @@ void light_row(const ClearDay& day, double elevation, double* out) {
 }  // namespace
 
 ClearDay::ClearDay(const ClearSky& sky, const SunPlace& where)
-    : asymmetry(sky.aerosol_asymmetry), sun(where), masses(where.altitude) {
-    for (int k = 0; k < kSkyWavelengths; ++k)
-        optics[k] = air_optics(sky, sky_wavelength_nm(k) * unit::nm);
-    std::array<std::optional<DiffuseLight>, kSkyWavelengths> solved;
+    : asymmetry(sky.aerosol_asymmetry),
+      sun(where),
+      masses(where.altitude),
+      diffuse(kSkyWavelengths),
+      diffuse_slope(kSkyWavelengths) {
+    const SunPlace lower(sun.altitude - kSlopeStep), higher(sun.altitude + kSlopeStep);
     parallel_for(kSkyWavelengths, [&](std::size_t k) {
-        solved[k].emplace(optics[k], asymmetry, sky.ground_albedo, sun, masses);
+        optics[k] = air_optics(sky, sky_wavelength_nm(static_cast<int>(k)) * unit::nm);
+        const auto field_of = [&](const SunPlace& place) {
+            return diffuse_field(optics[k], asymmetry, sky.ground_albedo, place, masses);
+        };
+        diffuse[k] = field_of(sun);
+        diffuse_slope[k] = slope_of(field_of(lower), field_of(higher), 2.0 * kSlopeStep);
     });
-    for (auto& one : solved) diffuse.push_back(std::move(*one));
 }
 
 std::vector<double> sky_light(const ClearDay& day) {

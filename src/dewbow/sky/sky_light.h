@@ -22,7 +22,10 @@ struct ClearDay {
     SunPlace sun;
     SunMasses masses;
     std::array<AirOptics, kSkyWavelengths> optics;
-    std::vector<DiffuseLight> diffuse;
+    std::vector<DiffuseField> diffuse;
+    /// How diffuse changes with the sun's altitude, per radian: places that are seen far away
+    /// towards the sun have a higher one.
+    std::vector<DiffuseField> diffuse_slope;
 };
 
 /// Radiance over the sun's irradiance above the atmosphere, sr⁻¹:
