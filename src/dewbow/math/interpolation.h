@@ -19,6 +19,18 @@ std::size_t interval_of(std::span<const double> abscissae, double x);
 double interpolate_linear(std::span<const double> abscissae, std::span<const double> values,
                           double x);
 
+/// Where x lies among the knots 0, 1 … knots − 1, at least two: between `first` and first + 1, the
+/// share t in [0, 1] of the way. Beyond the ends: at them.
+struct KnotInterval {
+    int first;
+    double t;
+};
+inline KnotInterval knot_interval(double x, int knots) {
+    const double clamped = x > 0.0 ? (x < knots - 1.0 ? x : knots - 1.0) : 0.0;
+    const int whole = static_cast<int>(clamped), first = whole < knots - 1 ? whole : knots - 2;
+    return {first, clamped - first};
+}
+
 /// The same for abscissae `first`, `first + step`, `first + 2 step`…, without a search.
 /// @param step  positive.   @param values  at least one.
 double interpolate_linear_regular(double first, double step, std::span<const double> values,

@@ -105,7 +105,8 @@ public:
         if (direction.v.y < 0.0) {
             for (std::size_t i = 0; i < out.size(); ++i) out[i] = fine_value(ground_, lambda_nm[i]);
         } else {
-            table_.eval_lanes(elevation_of(direction), azimuth_of(direction), lambda_nm, out);
+            table_.eval_lanes(elevation_of(direction), azimuth_from(to_sun_, direction), lambda_nm,
+                              out);
         }
         std::array<double, 16> light;
         for (std::size_t at = 0; at < out.size(); at += light.size()) {
@@ -117,7 +118,7 @@ public:
 
     double luminance(Dir<World> direction) const override {
         if (direction.v.y < 0.0) return ground_luminance_;
-        const SkyStencil stencil(elevation_of(direction), azimuth_of(direction));
+        const SkyStencil stencil(elevation_of(direction), azimuth_from(to_sun_, direction));
         double sum = 0.0;
         for (int k = 0; k < 16; ++k) sum += stencil.weights[k] * luminance_[stencil.knots[k]];
         return std::max(sum, 0.0);
@@ -130,12 +131,6 @@ public:
 
 private:
     static double elevation_of(Dir<World> d) { return std::atan2(d.v.y, std::hypot(d.v.x, d.v.z)); }
-    double azimuth_of(Dir<World> d) const {
-        const double along = d.v.x * to_sun_.v.x + d.v.z * to_sun_.v.z;
-        const double across = d.v.x * to_sun_.v.z - d.v.z * to_sun_.v.x;
-        return std::atan2(std::abs(across), along);
-    }
-
     /// The ground sends back what comes down on it from sky and sun.
     void light_ground(double albedo, const ClearDay& day) {
         const AirParts mass = air_mass_to_space(0.0, day.sun.sine);

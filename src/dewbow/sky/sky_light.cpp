@@ -121,6 +121,12 @@ ClearDay::ClearDay(const ClearSky& sky, const SunPlace& where)
     });
 }
 
+double azimuth_from(Dir<World> to_sun, Dir<World> direction) {
+    const double along = direction.v.x * to_sun.v.x + direction.v.z * to_sun.v.z;
+    const double across = direction.v.x * to_sun.v.z - direction.v.z * to_sun.v.x;
+    return std::atan2(std::abs(across), along);
+}
+
 std::vector<double> sky_light(const ClearDay& day) {
     std::vector<double> values(std::size_t{kSkyElevations} * kSkyAzimuths * kSkyWavelengths);
     parallel_for(kSkyElevations, [&](std::size_t i) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "dewbow/math/vector.h"
 #include "dewbow/sky/air_optics.h"
 #include "dewbow/sky/diffuse_light.h"
 #include "dewbow/sky/sight_line.h"
@@ -27,6 +28,9 @@ struct ClearDay {
     /// towards the sun have a higher one.
     std::vector<DiffuseField> diffuse_slope;
 };
+
+/// The azimuth of a direction from the sun, radians, 0 to π.
+double azimuth_from(Dir<World> to_sun, Dir<World> direction);
 
 /// Radiance over the sun's irradiance above the atmosphere, sr⁻¹:
 /// [elevation][azimuth][wavelength].

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "dewbow/base/check.h"
+#include "dewbow/math/interpolation.h"
 #include "dewbow/spectrum/spectrum.h"
 
 namespace dewbow {
@@ -18,16 +19,6 @@ std::array<double, 4> cubic_weights(double t) {
     const double u = 1.0 - t;
     return {-0.5 * t * u * u, 1.0 + t * t * (1.5 * t - 2.5), 1.0 + u * u * (1.5 * u - 2.5),
             -0.5 * u * t * t};
-}
-
-struct Interval {
-    int first;
-    double t;
-};
-Interval interval_on(double x, int knots) {
-    const double clamped = std::clamp(x, 0.0, knots - 1.0);
-    const int first = std::min(static_cast<int>(clamped), knots - 2);
-    return {first, clamped - first};
 }
 
 /// Beyond its ends azimuth is mirrored about the sun's meridian.
@@ -49,8 +40,8 @@ double sky_wavelength_nm(int k) {
 
 SkyStencil::SkyStencil(double elevation, double azimuth) {
     const double u = std::sqrt(std::clamp(elevation / (0.5 * kPi), 0.0, 1.0));
-    const auto [row, tr] = interval_on(u * (kSkyElevations - 1), kSkyElevations);
-    const auto [column, tc] = interval_on(azimuth / kPi * (kSkyAzimuths - 1), kSkyAzimuths);
+    const auto [row, tr] = knot_interval(u * (kSkyElevations - 1), kSkyElevations);
+    const auto [column, tc] = knot_interval(azimuth / kPi * (kSkyAzimuths - 1), kSkyAzimuths);
     const auto wr = cubic_weights(tr), wc = cubic_weights(tc);
     for (int a = 0; a < 4; ++a) {
         // Below the horizon knots are mirrored: values are even in the root of the elevation.
@@ -73,7 +64,7 @@ std::vector<double> refine_over_wavelength(std::span<const double> values) {
     const auto log_at = [&](int k) { return std::log(std::max(values[k], kLeast)); };
     std::vector<double> fine(SkyTable::kFineWavelengths);
     for (int f = 0; f < SkyTable::kFineWavelengths; ++f) {
-        const auto [first, t] = interval_on(f * (n - 1.0) / (SkyTable::kFineWavelengths - 1), n);
+        const auto [first, t] = knot_interval(f * (n - 1.0) / (SkyTable::kFineWavelengths - 1), n);
         const auto w = cubic_weights(t);
         const double before = first > 0 ? log_at(first - 1) : 2.0 * log_at(0) - log_at(1);
         const double after =
@@ -96,16 +87,16 @@ SkyTable::SkyTable(std::span<const double> values) {
 void SkyTable::eval_lanes(double elevation, double azimuth, std::span<const double> lambda_nm,
                           std::span<double> out) const {
     const SkyStencil stencil(elevation, azimuth);
-    for (std::size_t lane = 0; lane < out.size(); ++lane) {
-        const auto [first, t] =
-            interval_on((lambda_nm[lane] - kLambdaMin_nm) / kFineStep_nm, kFineWavelengths);
-        double sum = 0.0;
-        for (int k = 0; k < 16; ++k) {
-            const float* at = &values_[stencil.knots[k] * kFineWavelengths + first];
-            sum += stencil.weights[k] * (at[0] + t * (at[1] - at[0]));
+    std::fill(out.begin(), out.end(), 0.0);
+    for (int k = 0; k < 16; ++k) {
+        const float* row = &values_[stencil.knots[k] * kFineWavelengths];
+        for (std::size_t lane = 0; lane < out.size(); ++lane) {
+            const auto [first, t] =
+                knot_interval((lambda_nm[lane] - kLambdaMin_nm) / kFineStep_nm, kFineWavelengths);
+            out[lane] += stencil.weights[k] * (row[first] + t * (row[first + 1] - row[first]));
         }
-        out[lane] = std::max(sum, 0.0);
     }
+    for (double& value : out) value = std::max(value, 0.0);
 }
 
 std::vector<double> SkyTable::weighted_sum(std::span<const double> fine_weights) const {
