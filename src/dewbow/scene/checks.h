@@ -35,11 +35,14 @@ void check_medium(const std::string& who, const MediumPtr& medium);
 void check_finite(const std::string& who, const char* what, Vec3 v);
 void check_unit(const std::string& who, const char* what, Vec3 v);
 void check_affine(const std::string& who, const Affine& affine);
+/// With triangles, all of its own vertices, which are finite.
+void check_mesh(const std::string& who, const std::shared_ptr<const Mesh>& mesh);
 
 // The parts of validate().
 void check_camera(const CameraView& camera, const Film& film);
 void check_materials(const Scene& scene);
 void check_shapes(const Scene& scene);
 void check_lights(const Scene& scene);
+void check_rains(const Scene& scene);
 
 }  // namespace dewbow::checks

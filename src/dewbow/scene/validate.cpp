@@ -60,6 +60,7 @@ void validate(const Scene& scene) {
     check_materials(scene);
     check_shapes(scene);
     check_lights(scene);
+    check_rains(scene);
 }
 
 }  // namespace dewbow

@@ -13,25 +13,7 @@ namespace {
 struct CheckGeometry {
     const std::string& who;
 
-    void operator()(const std::shared_ptr<const Mesh>& mesh) const {
-        if (!mesh) fail(who, "its mesh is missing");
-        if (mesh->triangles.empty()) fail(who, "its mesh has no triangle");
-        if (!mesh->normals.empty() && mesh->normals.size() != mesh->vertices.size()) {
-            fail(who, fmt::format("its mesh has {} normals for {} vertices", mesh->normals.size(),
-                                  mesh->vertices.size()));
-        }
-        for (const Point<Object>& vertex : mesh->vertices) check_finite(who, "a vertex", vertex.v);
-        for (const Normal<Object>& normal : mesh->normals) {
-            check_finite(who, "a normal", normal.v);
-            if (normal.v == Vec3{}) fail(who, "a normal has no direction");
-        }
-        for (const auto& triangle : mesh->triangles) {
-            const std::uint32_t largest = std::max({triangle[0], triangle[1], triangle[2]});
-            if (largest < mesh->vertices.size()) continue;
-            fail(who,
-                 fmt::format("a triangle uses vertex {} of {}", largest, mesh->vertices.size()));
-        }
-    }
+    void operator()(const std::shared_ptr<const Mesh>& mesh) const { check_mesh(who, mesh); }
     void operator()(const Sphere& s) const { check_positive(who, "radius", s.radius.to(unit::m)); }
     void operator()(const Disc& s) const { check_positive(who, "radius", s.radius.to(unit::m)); }
     void operator()(const Rectangle& s) const {
@@ -55,6 +37,25 @@ struct CheckGeometry {
 };
 
 }  // namespace
+
+void check_mesh(const std::string& who, const std::shared_ptr<const Mesh>& mesh) {
+    if (!mesh) fail(who, "its mesh is missing");
+    if (mesh->triangles.empty()) fail(who, "its mesh has no triangle");
+    if (!mesh->normals.empty() && mesh->normals.size() != mesh->vertices.size()) {
+        fail(who, fmt::format("its mesh has {} normals for {} vertices", mesh->normals.size(),
+                              mesh->vertices.size()));
+    }
+    for (const Point<Object>& vertex : mesh->vertices) check_finite(who, "a vertex", vertex.v);
+    for (const Normal<Object>& normal : mesh->normals) {
+        check_finite(who, "a normal", normal.v);
+        if (normal.v == Vec3{}) fail(who, "a normal has no direction");
+    }
+    for (const auto& triangle : mesh->triangles) {
+        const std::uint32_t largest = std::max({triangle[0], triangle[1], triangle[2]});
+        if (largest < mesh->vertices.size()) continue;
+        fail(who, fmt::format("a triangle uses vertex {} of {}", largest, mesh->vertices.size()));
+    }
+}
 
 void check_shapes(const Scene& scene) {
     std::unordered_set<const Mesh*> checked;  // meshes may stand in many places
