@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// An oracle for the clear sky: photons followed backwards from the eye through a spherical
-// atmosphere, one wavelength at a time. It shares with the solver what the air is (densities,
-// depths, phase functions) and nothing of how light gets through it: no levels, no harmonics, no
-// level air.
+// For tests: an oracle for the clear sky: photons followed backwards from the eye through a
+// spherical atmosphere, one wavelength at a time. It shares with the solver what the air is
+// (densities, depths, phase functions) and nothing of how light gets through it: no levels, no
+// harmonics, no level air.
 
 #include <cmath>
 #include <cstdint>
