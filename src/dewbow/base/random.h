@@ -29,6 +29,9 @@ enum class Purpose : std::uint32_t {
     impact_parameter,  ///< of a ray on a drop
     spectral_offset,   ///< of a sample of the spectrum within its interval
     haze,              ///< a point of haze and its light, or what sees it
+    rain_on_flight,    ///< what uneven rain leaves of light along a path
+    rain_to_light,     ///< and on its way from a light or to a camera
+    rain_point,        ///< a point of rain, and of the light that shines on it
 };
 
 /// A bijection of 64 bits in which every output bit depends on every input bit.

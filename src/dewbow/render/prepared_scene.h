@@ -7,6 +7,7 @@
 #include "dewbow/render/light_set.h"
 #include "dewbow/render/media.h"
 #include "dewbow/render/scene_opacity.h"
+#include "dewbow/render/weather/weather.h"
 
 namespace dewbow {
 
@@ -24,6 +25,7 @@ struct PreparedScene {
     LightSet lights;
     CameraRays camera;
     std::optional<Haze> haze;         ///< where some medium scatters
+    std::optional<Weather> weather;   ///< where a scene has any
     MediaStack camera_media;          ///< what the camera stands in
     std::vector<Colour<Xyz>> albedo;  ///< one a material, for the albedo layer
     std::vector<bool> varies;         ///< one a material: surface_varies

@@ -11,8 +11,10 @@ using walk::SharedPath;
 
 /// Haze that the path shines through on its way to `hit`, as the camera sees one point of it
 /// (shares: haze_share.h).
-void LightWalk::on_haze(const SharedPath& path, const Hit& hit) {
-    if (path.scattered || path.media.interior() != prepared_.camera_media.interior()) return;
+void LightWalk::on_flight(const SharedPath& path, const Hit& hit) {
+    if (!in_haze(path.media) || path.scattered ||
+        path.media.interior() != prepared_.camera_media.interior())
+        return;
     const Ray& ray = path.ray;
     RayInterval where{0.0, hit.t};
     if (path.sees_start()) {
@@ -31,6 +33,11 @@ void LightWalk::on_haze(const SharedPath& path, const Hit& hit) {
         haze.scattering[k] *= path.beta[k] * std::exp(-way) / pdf;
     }
     const Vec3 point = ray.origin + ray.direction * distance;
+    if (in_weather(path.media)) {
+        Hit there;
+        there.t = distance;
+        dim(flight(path, there), path.lanes, haze.scattering);
+    }
     if (!prepared_.camera.disperses()) {
         splat(path, path.lanes, point, haze.scattering);
         return;
@@ -58,7 +65,8 @@ void LightWalk::splat(const SharedPath& path, const LaneSet& lanes, Vec3 point,
                                value.first(lanes.count));
         for (int k = 0; k < lanes.count; ++k)
             value[k] *= scattered[k] * source_[lanes.id[std::size_t(k)]] * seen.pixels_per_m2;
-        absorb(lanes, value, path.media, seen.distance);
+        absorb(shadow_way(point, seen.direction, seen.distance, flight_key(path)), lanes, value,
+               path.media);
         const SplatLight light(packet_, lanes, value);
         prepared_.camera.for_each_pixel(
             seen, [&](int x, int y, double weight) { splats_.add(x, y, weight, light); });

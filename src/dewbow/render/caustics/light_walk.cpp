@@ -72,7 +72,9 @@ void LightWalk::splat(const SharedPath& path, const Scatterer& at, const Seen& s
         seen.pixels_per_m2 * cos_camera / std::abs(cos_light) * weight(path.note, ratio);
     for (int k = 0; k < path.lanes.count; ++k)
         value[k] *= path.beta[k] * source_[path.lanes.id[std::size_t(k)]] * factor;
-    absorb(path.lanes, value, prepared_.camera_media, seen.distance);
+    absorb(
+        shadow_way(y1.position, seen.direction, seen.distance, vertex_key(path.depth, path.branch)),
+        path.lanes, value, prepared_.camera_media);
     const SplatLight light(packet_, path.lanes, value);
     prepared_.camera.for_each_pixel(
         seen, [&](int x, int y, double density) { splats_.add(x, y, density, light); });

@@ -29,7 +29,7 @@ protected:
     bool on_scatterer(const walk::SharedPath& path, const walk::Scatterer& at) override;
 
 private:
-    void on_haze(const walk::SharedPath& path, const Hit& hit) override;
+    void on_flight(const walk::SharedPath& path, const Hit& hit) override;
     void splat(const walk::SharedPath& path, const walk::Scatterer& at);
     void splat(const walk::SharedPath& path, const walk::Scatterer& at, const Seen& seen);
     void on_rough_turn(walk::SharedPath& lane, const walk::RoughGlass& at) override;

@@ -12,7 +12,7 @@ namespace dewbow::walk {
 /// $L_k = \sigma_{s,k}\, p_k(\cos\theta)\, e^{-\sigma_{t,k} t}\, E_k$ at one point of the flight,
 /// taken with a density per metre; E of one light, taken with a density of directions.
 /// [Kulla & Fajardo 2012, eq. 3]
-void CameraWalk::on_haze(const SharedPath& path, const Hit& hit) {
+void CameraWalk::light_in_haze(const SharedPath& path, const Hit& hit) {
     const Ray& ray = path.ray;
     const int medium = path.media.interior(), count = path.lanes.count;
     HazeLanes haze = haze_around(path.lanes, path.media);
@@ -31,7 +31,11 @@ void CameraWalk::on_haze(const SharedPath& path, const Hit& hit) {
 
     LaneValues radiance, phase;
     prepared_.lights.radiance(*light, path.lanes, light_colours(), radiance);
-    if (std::isfinite(light->distance)) absorb(path.lanes, radiance, path.media, light->distance);
+    absorb(shadow_way(point, light->direction, light->distance, at), path.lanes, radiance,
+           path.media);
+    if (in_weather(path.media))
+        dim({ray.origin, ray.direction, distance, at, Purpose::rain_on_flight}, path.lanes,
+            radiance);
     prepared_.media.medium(medium).phase->eval_lanes(dot(ray.direction, light->direction),
                                                      path.lanes.lambdas(), phase.first(count));
     for (int k = 0; k < count; ++k)

@@ -105,8 +105,8 @@ void CameraWalk::direct_light(const SharedPath& path, const Vertex& vertex, bool
     LaneValues radiance;
     prepared_.lights.radiance(*light, path.lanes, light_colours(), radiance);
     for (int k = 0; k < path.lanes.count; ++k) radiance[k] *= f[k];
-    // What is infinitely far is not absorbed, as where a path misses everything.
-    if (std::isfinite(light->distance)) absorb(path.lanes, radiance, path.media, light->distance);
+    absorb(shadow_way(vertex.position, light->direction, light->distance, at), path.lanes, radiance,
+           path.media);
     add(path, radiance, weight_of_direct(*light, vertex.position, pdf, note) / light->pdf);
 }
 

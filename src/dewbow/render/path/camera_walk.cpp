@@ -30,6 +30,10 @@ void CameraWalk::on_surface(const SharedPath& path, const Vertex& vertex, int ma
         see_first(prepared_, vertex, material, result_);
 }
 
+void CameraWalk::on_flight(const SharedPath& path, const Hit& hit) {
+    if (in_haze(path.media)) light_in_haze(path, hit);
+}
+
 /// Light paths come where the camera sees what scatters.
 void CameraWalk::on_scattered(SharedPath& path, const Scatterer& at, Vec3 wi) {
     if (!light_paths_ || !path.sees_start()) return;

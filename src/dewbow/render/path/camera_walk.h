@@ -33,7 +33,7 @@ private:
     void on_scattered(SharedPath& path, const Scatterer& at, Vec3 wi) override;
     void on_rough_glass(const SharedPath& lane, const RoughGlass& at) override;
     void on_lamp(const SharedPath& path, const Hit& hit) override;
-    void on_haze(const SharedPath& path, const Hit& hit) override;
+    void on_flight(const SharedPath& path, const Hit& hit) override;
     void on_leaving(const SharedPath& path) override;
     double choice_of_lanes(const OpenPath& path) const override;
 
@@ -45,6 +45,7 @@ private:
     static bool shared_with_light(const SharedPath& path);
     static double weight_of_chance(const SharedPath& path, double next_event, double density);
     void add(const SharedPath& path, const LaneValues& radiance, double weight);
+    void light_in_haze(const SharedPath& path, const Hit& hit);
     bool left_to_light_paths(const SharedPath& path, Vec3 point, const LightSample& light) const;
 
     const caustics::LightPaths* light_paths_;

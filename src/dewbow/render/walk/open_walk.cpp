@@ -76,7 +76,12 @@ void PacketWalk::trace_open(OpenPath path) {
 void PacketWalk::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
     const auto i = std::size_t(k);
     const Hit& hit = hits[i];
-    if (in_haze(path.media[i], path.depth)) on_haze(lane_of(path, k), hit);
+    if (scatters(path.media[i], path.depth)) on_flight(lane_of(path, k), hit);
+    if (in_weather(path.media[i])) {
+        SharedPath lane = lane_of(path, k);
+        dim(flight(lane, hit), lane.lanes, lane.beta);
+        path.beta[k] = lane.beta[0];
+    }
     if (!hit) {
         on_leaving(lane_of(path, k));
         path.active &= ~(1u << k);

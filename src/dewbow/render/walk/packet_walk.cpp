@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "dewbow/render/walk/packet_walk.h"
 
@@ -71,11 +72,24 @@ HazeLanes PacketWalk::haze_around(const LaneSet& lanes, MediaStack media) {
     return haze;
 }
 
-void PacketWalk::absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance) {
+Way PacketWalk::flight(const SharedPath& path, const Hit& hit) {
+    const Ray& ray = path.ray;
+    if (!path.from_afar)
+        return {ray.origin, ray.direction, hit.t, flight_key(path), Purpose::rain_on_flight};
+    return {ray.origin + ray.direction * hit.t, -ray.direction,
+            std::numeric_limits<double>::infinity(), flight_key(path), Purpose::rain_on_flight};
+}
+
+void PacketWalk::absorb(const Way& way, const LaneSet& lanes, LaneValues& beta, MediaStack media) {
     const auto* sigma = packet_media().extinction(media.interior());
-    if (!sigma) return;
-    for (int k = 0; k < lanes.count; ++k)
-        beta[k] *= std::exp(-(*sigma)[std::size_t(lanes.id[std::size_t(k)])] * distance);
+    if (sigma && std::isfinite(way.length))
+        for (int k = 0; k < lanes.count; ++k)
+            beta[k] *= std::exp(-(*sigma)[std::size_t(lanes.id[std::size_t(k)])] * way.length);
+    if (in_weather(media)) dim(way, lanes, beta);
+}
+
+void PacketWalk::dim(const Way& way, const LaneSet& lanes, LaneValues& beta) {
+    prepared_.weather->dim(way, memory_.weather, lanes, key_, beta);
 }
 
 void PacketWalk::tint(const ColourInput& tint, const Vertex& vertex, const LaneSet& lanes,
@@ -143,6 +157,7 @@ WalkMemory& walk_memory(const PreparedScene& prepared, const WavelengthPacket& p
         memory.media.emplace(prepared.media);
     }
     memory.media->begin(packet);
+    if (prepared.weather) memory.weather.begin(prepared.weather->rains(), packet);
     memory.light.begin(packet);
     memory.reflectance.begin(packet);
     memory.pending.clear();

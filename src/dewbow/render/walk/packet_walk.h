@@ -91,9 +91,9 @@ protected:
     virtual void on_rough_turn(SharedPath&, const RoughGlass&) {}
     /// It ran into the glowing side of a surface that gives light.
     virtual void on_lamp(const SharedPath&, const Hit&) {}
-    /// It goes through haze to the surface that it meets, if any. What the haze takes away on that
-    /// way has not been taken yet.
-    virtual void on_haze(const SharedPath&, const Hit&) {}
+    /// It goes through what scatters, haze or weather, to the surface that it meets, if any. What
+    /// that takes away on this way has not been taken yet.
+    virtual void on_flight(const SharedPath&, const Hit&) {}
     /// It ran into nothing.
     virtual void on_leaving(const SharedPath&) {}
     /// The number in [0, 1) by which opened lanes choose between reflection and refraction.
@@ -118,9 +118,25 @@ protected:
     ScatteringSurface surface_at(const LaneSet& lanes, MediaStack media, const Vertex& vertex,
                                  const LocalFrame& frame, const Material& material);
     HazeLanes haze_around(const LaneSet& lanes, MediaStack media);
-    void absorb(const LaneSet& lanes, LaneValues& beta, MediaStack media, double distance);
+    /// Whether the medium of a flight scatters.
+    bool in_haze(MediaStack media) {
+        return prepared_.haze && packet_media().scattering(media.interior());
+    }
+    /// Whether a flight goes through the surroundings, and there is weather.
+    bool in_weather(MediaStack media) const { return prepared_.weather && media.interior() == 0; }
+    /// Multiplies by what is left at the end of a way through `media`: of the medium, which takes
+    /// nothing from what is infinitely far, and of the weather.
+    void absorb(const Way& way, const LaneSet& lanes, LaneValues& beta, MediaStack media);
+    /// The weather's part of it, in the surroundings.
+    void dim(const Way& way, const LaneSet& lanes, LaneValues& beta);
     void tint(const ColourInput& tint, const Vertex& vertex, const LaneSet& lanes,
               LaneValues& beta);
+    /// The flight of a path to `hit`, along which light goes.
+    static Way flight(const SharedPath& path, const Hit& hit);
+    /// From a point of a path to a light or a camera; `at` tells its random numbers apart.
+    static Way shadow_way(Vec3 from, Vec3 direction, double length, std::uint32_t at) {
+        return {from, direction, length, at, Purpose::rain_to_light};
+    }
     /// Of a path's next flight.
     static std::uint32_t flight_key(const SharedPath& path) {
         return vertex_key(path.depth, path.branch) + std::uint32_t(path.passed) * 0x85ebca6bu;
@@ -173,9 +189,8 @@ private:
     bool has_true_normals(int shape) const;
     double shading_factor(const Vertex& vertex, Vec3 shading, Vec3 next) const;
     /// Whether light is scattered on the way there, and such paths are looked for.
-    bool in_haze(MediaStack media, int depth) {
-        return prepared_.haze && depth < settings_.max_depth &&
-               packet_media().scattering(media.interior());
+    bool scatters(MediaStack media, int depth) {
+        return depth < settings_.max_depth && (in_haze(media) || in_weather(media));
     }
     bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);

@@ -43,8 +43,8 @@ void PacketWalk::finish_pending() {
 void PacketWalk::trace(SharedPath path) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(path.ray);
-        if (in_haze(path.media, path.depth)) on_haze(path, hit);
-        if (hit && !path.from_afar) absorb(path.lanes, path.beta, path.media, hit.t);
+        if (scatters(path.media, path.depth)) on_flight(path, hit);
+        if (hit || !path.from_afar) absorb(flight(path, hit), path.lanes, path.beta, path.media);
         path.from_afar = false;
         if (!hit) {
             on_leaving(path);

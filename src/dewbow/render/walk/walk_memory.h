@@ -15,6 +15,7 @@ namespace dewbow::walk {
 struct WalkMemory {
     std::uint64_t serial = 0;
     std::optional<PacketMedia> media;
+    PacketWeather weather;
     // Spectra of RGB colours at the packet's wavelengths.
     RgbLightLanes light;
     RgbReflectanceLanes reflectance;
