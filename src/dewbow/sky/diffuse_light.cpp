@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dewbow/base/simd.h"
 #include "dewbow/math/quadrature.h"
 
 namespace dewbow {
@@ -14,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr int kDegree = kDiffuseDegree, kLevels = kDiffuseLevels;
 /// Directions in a hemisphere, then up (0 to 11) and down (12 to 23).
 constexpr int kNodes = 12, kDirections = 2 * kNodes;
-constexpr double kLastOrder = 1e-4;
+constexpr double kLastOrder = 1e-2;
 constexpr int kMostOrders = 200;
 
 /// Values of one azimuthal mode in all directions.
@@ -31,19 +32,43 @@ struct Directions {
             sine[i + kNodes] = -sine[i];
             weight[i] = weight[i + kNodes] = 0.5 * rule.weights[i];
         }
-        std::array<double, kDiffuseHarmonics> at;
-        for (int i = 0; i < kDirections; ++i) {
-            legendre_harmonics(kDegree, sine[i], at);
-            for (std::size_t n = 0; n < at.size(); ++n) harmonic[n][i] = at[n];
-        }
+        for (int i = 0; i < kNodes; ++i) legendre_harmonics(kDegree, sine[i], harmonic[i]);
     }
     Ring sine, weight;
-    std::array<Ring, kDiffuseHarmonics> harmonic;
+    std::array<Harmonics, kNodes> harmonic;  ///< upwards
 };
 
 const Directions& directions() {
     static const Directions all;
     return all;
+}
+
+// Λ_l^m(−μ) = (−1)^(l−m) Λ_l^m(μ): up and down share their harmonics. `mode` is the place of the
+// first of a mode's `count` harmonics, l = m, m + 1 …
+
+/// Sums of coefficients times harmonics, in all directions.
+DEWBOW_SIMD void sum_over_degrees(const Directions& all, std::size_t mode, int count,
+                                  const double* coefficients, Ring& out) {
+    for (int i = 0; i < kNodes; ++i) {
+        const double* harmonic = &all.harmonic[i][mode];
+        double even = 0.0, odd = 0.0;
+        for (int l = 0; l < count; l += 2) even += coefficients[l] * harmonic[l];
+        for (int l = 1; l < count; l += 2) odd += coefficients[l] * harmonic[l];
+        out[i] = even + odd;
+        out[i + kNodes] = even - odd;
+    }
+}
+
+/// Sums over all directions of weighted values, for each harmonic.
+DEWBOW_SIMD void sum_over_directions(const Directions& all, std::size_t mode, int count,
+                                     const Ring& weighted, double* moments) {
+    for (int l = 0; l < count; ++l) moments[l] = 0.0;
+    for (int i = 0; i < kNodes; ++i) {
+        const double* harmonic = &all.harmonic[i][mode];
+        const double both[2] = {weighted[i] + weighted[i + kNodes],
+                                weighted[i] - weighted[i + kNodes]};
+        for (int l = 0; l < count; ++l) moments[l] += both[l & 1] * harmonic[l];
+    }
 }
 
 /// How a layer passes light on at one slant: what enters, and a source that is linear between its
@@ -119,12 +144,8 @@ public:
                 Ring weighted;
                 for (int i = 0; i < kDirections; ++i)
                     weighted[i] = 0.5 * all.weight[i] * field_[m][k][i];
-                for (int l = m; l <= kDegree; ++l) {
-                    const std::size_t n = harmonic_index(kDegree, m, l);
-                    double sum = 0.0;
-                    for (int i = 0; i < kDirections; ++i) sum += all.harmonic[n][i] * weighted[i];
-                    moments[k][n] = sum;
-                }
+                const std::size_t mode = harmonic_index(kDegree, m, m);
+                sum_over_directions(all, mode, kDegree + 1 - m, weighted, &moments[k][mode]);
             }
         return moments;
     }
@@ -138,14 +159,14 @@ public:
 
 private:
     Ring source_at(int level, int m, const Harmonics& moments) const {
-        Ring ring{};
-        for (int l = m; l <= kDegree; ++l) {
-            const std::size_t n = harmonic_index(kDegree, m, l);
-            const double c =
+        const std::size_t mode = harmonic_index(kDegree, m, m);
+        std::array<double, kDegree + 1> coefficients;
+        for (int l = m; l <= kDegree; ++l)
+            coefficients[l - m] =
                 (layers_.air_share[level] * air_[l] + layers_.haze_share[level] * haze_[l]) *
-                moments[n];
-            for (int i = 0; i < kDirections; ++i) ring[i] += c * directions().harmonic[n][i];
-        }
+                moments[mode + (l - m)];
+        Ring ring;
+        sum_over_degrees(directions(), mode, kDegree + 1 - m, coefficients.data(), ring);
         return ring;
     }
 
@@ -174,15 +195,16 @@ private:
     Field field_;
 };
 
-/// Adds an order; returns its largest mean radiance over that of the sum.
-double add_order(std::vector<Harmonics>& sum, const std::vector<Harmonics>& order) {
-    double most = 0.0, last = 0.0;
-    for (int k = 0; k < kLevels; ++k) {
-        for (std::size_t n = 0; n < kDiffuseHarmonics; ++n) sum[k][n] += order[k][n];
-        most = std::max(most, sum[k][0]);
-        last = std::max(last, order[k][0]);
-    }
-    return most > 0.0 ? last / most : 0.0;
+void add(std::vector<Harmonics>& sum, double factor, const std::vector<Harmonics>& order) {
+    for (int k = 0; k < kLevels; ++k)
+        for (std::size_t n = 0; n < kDiffuseHarmonics; ++n) sum[k][n] += factor * order[k][n];
+}
+
+/// The largest mean radiance at any level.
+double largest(const std::vector<Harmonics>& moments) {
+    double most = 0.0;
+    for (const Harmonics& level : moments) most = std::max(most, level[0]);
+    return most;
 }
 
 }  // namespace
@@ -215,11 +237,17 @@ DiffuseField diffuse_field(const AirOptics& optics, double asymmetry, double gro
     DiffuseField field{std::vector<Harmonics>(kLevels, Harmonics{})};
     Orders orders(optics, asymmetry, ground_albedo);
     orders.light_by_beam(sun, beam);
+    double before = 0.0;
     for (field.orders = 1; field.orders < kMostOrders; ++field.orders) {
         const std::vector<Harmonics> moments = orders.moments();
-        const double onto_ground = orders.ground_irradiance();
-        field.ground_irradiance += onto_ground;
-        if (add_order(field.moments, moments) < kLastOrder) break;
+        const double onto_ground = orders.ground_irradiance(), now = largest(moments);
+        const bool last = now < kLastOrder * largest(field.moments);
+        // High orders are alike: each is the same share of the one before, and so is their sum.
+        const double factor = last ? before / (before - now) : 1.0;
+        add(field.moments, factor, moments);
+        field.ground_irradiance += factor * onto_ground;
+        if (last) break;
+        before = now;
         orders.scatter(moments, onto_ground);
     }
     return field;

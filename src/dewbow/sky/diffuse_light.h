@@ -47,7 +47,8 @@ struct DiffuseField {
 
 /// The field under a sun. Air is level and even; sunlight alone comes to each level along its true
 /// path over a sphere. 12 Gaussian directions a hemisphere; sources are linear in depth between
-/// levels; orders are added until one is below 1e-4 of their sum.
+/// levels; orders are added until one is below 1 % of their sum, and the rest as a geometric series
+/// (error 1e-4).
 /// @param sun  also a little below the horizon.   @param masses  made for a sun within 9° of it.
 DiffuseField diffuse_field(const AirOptics& optics, double asymmetry, double ground_albedo,
                            const SunPlace& sun, const SunMasses& masses);
