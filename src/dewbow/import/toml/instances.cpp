@@ -8,6 +8,7 @@
 #include <set>
 
 #include "dewbow/import/merge.h"
+#include "dewbow/import/terrain/ground_height.h"
 #include "dewbow/import/toml/placement.h"
 #include "dewbow/import/toml/places.h"
 #include "dewbow/import/toml/tables.h"
@@ -25,8 +26,49 @@ struct Instances {
     std::vector<Place> places;
 };
 
+/// The shapes of the scene whose names `value` states: one, or an array of them.
+std::vector<const Shape*> named_shapes(const TomlDocument& document, const TomlValue& value,
+                                       const Scene& scene) {
+    std::vector<std::string> known;
+    for (const Shape& shape : scene.shapes) known.push_back(shape.name);
+    std::vector<const Shape*> found;
+    const auto find = [&](const TomlValue& name) {
+        const std::string& wanted = read_text(document, name, "on");
+        const auto at = std::find(known.begin(), known.end(), wanted);
+        if (at == known.end())
+            fail(document, name.place, fmt::format("there is no shape \"{}\" to stand on", wanted),
+                 hint_for(wanted, known));
+        const Shape& shape = scene.shapes[std::size_t(at - known.begin())];
+        if (!std::holds_alternative<std::shared_ptr<const Mesh>>(shape.geometry))
+            fail(document, name.place,
+                 fmt::format("\"{}\" is neither terrain nor a mesh, to stand on", wanted));
+        found.push_back(&shape);
+    };
+    if (const TomlValue::Array* names = value.array())
+        for (const TomlValue& name : *names) find(name);
+    else
+        find(value);
+    return found;
+}
+
+/// Lifts places by the height of the ground that `on` names.
+void stand_on(const TomlDocument& document, const TomlValue& on, const Scene& scene,
+              std::vector<Place>& places) {
+    const GroundHeight ground(named_shapes(document, on, scene));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        Vec3& position = places[i].position;
+        const auto height_m = ground.at(position.x, position.z);
+        if (!height_m)
+            fail(document, on.place,
+                 fmt::format("place {} (x = {}, z = {}) is beside the ground", i + 1, position.x,
+                             position.z));
+        position.y += *height_m;
+    }
+}
+
 Instances read_one(const TomlDocument& document, const TomlValue& value, std::size_t number,
-                   const MaterialNames& names, const std::filesystem::path& folder) {
+                   const MaterialNames& names, const std::filesystem::path& folder,
+                   const Scene& scene) {
     Table table(document, value, fmt::format("instance {}", number));
     Instances result;
     const TomlValue& of = table.require("of");
@@ -37,6 +79,7 @@ Instances read_one(const TomlDocument& document, const TomlValue& value, std::si
         result.material = names.read(document, *material, "material");
     result.placement = read_placement(table, false);
     result.places = read_places(table, folder);
+    if (const TomlValue* on = table.find("on")) stand_on(document, *on, scene, result.places);
     table.finish();
     return result;
 }
@@ -172,7 +215,7 @@ void read_instances(const TomlDocument& document, const TomlValue* instances,
     std::vector<Instances> all;
     for_each_table(document, instances, "instances",
                    [&](const TomlValue& value, std::size_t number) {
-                       all.push_back(read_one(document, value, number, names, folder));
+                       all.push_back(read_one(document, value, number, names, folder, scene));
                    });
     Census census(document, all, groups);
     for (const Instances& one : all) census.count(one);

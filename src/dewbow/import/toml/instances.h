@@ -9,6 +9,7 @@
 //     material      instead of all materials that the group has
 //     scale, rotate_…, position             where the group stands within each place (placement.h)
 //     positions | file                      the places (places.h); one if left out
+//     on            "shape" or ["shape", …]: the places' y is above the highest of these meshes
 
 #include <filesystem>
 #include <map>

@@ -7,6 +7,7 @@
 #include "dewbow/import/mesh/mesh_file.h"
 #include "dewbow/import/toml/placement.h"
 #include "dewbow/import/toml/tables.h"
+#include "dewbow/import/toml/terrain.h"
 
 namespace dewbow::toml_import {
 namespace {
@@ -33,6 +34,9 @@ Geometry read_prism(Table& table, ShapeContext&) {
                  table.require_length("side"), table.require_length("length")};
 }
 Geometry read_plane(Table&, ShapeContext&) { return Plane{}; }
+Geometry read_terrain_mesh(Table& table, ShapeContext&) {
+    return make_terrain(read_terrain(table));
+}
 
 Geometry read_mesh(Table& table, ShapeContext& context) {
     const TomlValue& value = table.require("file");
@@ -52,9 +56,10 @@ struct ShapeType {
 
 const std::vector<ShapeType>& shape_types() {
     static const std::vector<ShapeType> types = {
-        {"sphere", read_sphere}, {"disc", read_disc},   {"rectangle", read_rectangle},
-        {"box", read_box},       {"prism", read_prism}, {"plane", read_plane},
-        {"mesh", read_mesh},
+        {"sphere", read_sphere},       {"disc", read_disc},
+        {"rectangle", read_rectangle}, {"box", read_box},
+        {"prism", read_prism},         {"plane", read_plane},
+        {"mesh", read_mesh},           {"terrain", read_terrain_mesh},
     };
     return types;
 }

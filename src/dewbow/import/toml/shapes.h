@@ -6,7 +6,7 @@
 //
 //     sphere  radius_*                 disc   radius_*               rectangle  width_* height_*
 //     box     width_* height_* depth_*        prism  apex_deg side_* length_*
-//     plane   (z = 0, without end)            mesh   file
+//     plane   (z = 0, without end)            mesh   file            terrain  see terrain.h
 //
 // `*` is m, cm or mm.
 
