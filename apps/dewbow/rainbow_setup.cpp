@@ -8,7 +8,6 @@
 
 #include "console.h"
 #include "dewbow/base/error.h"
-#include "dewbow/optics/catalogue.h"
 #include "dewbow/rainbow/mixed_table.h"
 #include "dewbow/rainbow/models.h"
 #include "dewbow/rainbow/table_cache.h"
@@ -22,42 +21,9 @@ namespace {
 constexpr const char* kModel = "auto";
 /// Knows no orders; beside others that are asked for some it shows what they are parts of.
 constexpr const char* kWhole = "mie";
-constexpr const char* kWater = "water@20C";
-constexpr const char* kAir = "air";
 constexpr const char* kLight = "D65";
 constexpr Length kRadius = 0.5 * unit::mm;
 constexpr Angle kSunAltitude = 20.0 * unit::deg;
-
-/// Throws InputError for a wavelength that the glass has no data of.
-void check_range(const Glass& glass, const std::vector<Wavelength>& wavelengths) {
-    for (const Wavelength lambda : wavelengths) {
-        const double nm = lambda.to(unit::nm);
-        if (glass.lambda_max_nm <= 0.0 || (nm >= glass.lambda_min_nm && nm <= glass.lambda_max_nm))
-            continue;
-        throw InputError(fmt::format("no index of {} at {} nm: its data are of {:.6g} to {:.6g} nm",
-                                     glass.name, nm, glass.lambda_min_nm, glass.lambda_max_nm));
-    }
-}
-
-DropOptics optics_of(const Storm& storm) {
-    if (storm.index) {
-        const DispersionPtr drop =
-            make_dispersion({"constant", {storm.index->n}, IndexReference::vacuum});
-        return {drop, vacuum(), storm.index->k};
-    }
-    const Glass water = storm.water ? *storm.water : find_glass(kWater);
-    const Glass air = storm.air ? *storm.air : find_glass(kAir);
-    check_range(water, storm.wavelengths);
-    check_range(air, storm.wavelengths);
-    const DropOptics optics{make_dispersion(water.data), make_dispersion(air.data), 0.0};
-    const double n = optics.index(kSodium).value;
-    if (n <= 1.0)
-        throw InputError(
-            fmt::format("drops of {} in {} have the index {:.6g}, which must be above "
-                        "1",
-                        water.name, air.name, n));
-    return optics;
-}
 
 /// The radius of drops of this size parameter in the one wavelength that is asked for.
 Length radius_of(double size_parameter, const Storm& storm, const DropOptics& optics) {
@@ -135,7 +101,7 @@ RainbowSetup set_up(const RainbowCommand& command) {
     request.model = setup.models.front();
     request.orders = storm.orders;
     request.tolerance = storm.tolerance.value_or(request.tolerance);
-    request.optics = optics_of(storm);
+    request.optics = drop_optics(storm, storm.wavelengths);
     setup.showers = showers_of(command, storm, request.optics);
     request.sizes = setup.showers.front();
     request.wavelengths = storm.wavelengths;
@@ -198,8 +164,8 @@ Attributes RainbowSetup::facts() const {
         facts.push_back({"dewbow:index", storm.index->n});
         facts.push_back({"dewbow:extinctionCoefficient", storm.index->k});
     } else {
-        facts.push_back({"dewbow:water", storm.water ? storm.water->name : kWater});
-        facts.push_back({"dewbow:air", storm.air ? storm.air->name : kAir});
+        facts.push_back({"dewbow:water", storm.water ? storm.water->name : kDropWater});
+        facts.push_back({"dewbow:air", storm.air ? storm.air->name : kDropAir});
     }
     if (request.falling) {
         facts.push_back({"dewbow:dropShape", "oblate"});

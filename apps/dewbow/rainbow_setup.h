@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "dewbow/image/image.h"
+#include "dewbow/import/toml/storm_drops.h"
 #include "dewbow/rainbow/scattering_table.h"
 #include "dewbow/spectrum/spectrum.h"
 #include "rainbow_command.h"
 
 namespace dewbow {
-
-/// The mean of sodium's lines D1 and D2 in vacuum, for what is asked of one wavelength.
-inline constexpr Wavelength kSodium = 589.46 * unit::nm;
 
 struct RainbowSetup {
     Storm storm;                      ///< file and options together

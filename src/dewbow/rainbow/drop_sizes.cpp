@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "dewbow/base/error.h"
@@ -118,7 +119,9 @@ private:
 class GammaSizes : public DropSizes {
 public:
     /// @param scale  b^{−1/γ}.
-    GammaSizes(double alpha, double gamma, Length scale, Length most, std::string description)
+    /// @param uncut_per_m3  number of drops, if it is known, as if there were no largest radius.
+    GammaSizes(double alpha, double gamma, Length scale, Length most, std::string description,
+               std::optional<double> uncut_per_m3 = std::nullopt)
         : alpha_(alpha),
           gamma_(gamma),
           scale_(scale),
@@ -126,7 +129,9 @@ public:
           end_(std::pow(most / scale, gamma)),
           log_norm_(std::log(gamma / lower_gamma_share(order(0.0), end_)) -
                     std::lgamma(order(0.0))),
-          description_(std::move(description)) {}
+          description_(std::move(description)) {
+        if (uncut_per_m3) per_m3_ = *uncut_per_m3 * lower_gamma_share(order(0.0), end_);
+    }
     double density(Length radius) const override {
         if (radius > most_) return 0.0;
         const double x = radius / scale_;
@@ -145,6 +150,7 @@ public:
         if (upper_gamma_share(order(2.0), end_) > kAbove) return most_;
         return quantile([](double a, double x) { return upper_gamma_share(a, x); }, kAbove);
     }
+    std::optional<double> number_per_m3() const override { return per_m3_; }
     std::string describe() const override { return description_; }
 
 private:
@@ -162,6 +168,7 @@ private:
     Length scale_, most_;
     double end_, log_norm_;
     std::string description_;
+    std::optional<double> per_m3_;
 };
 
 constexpr Length kNoEnd = Length::from_base(std::numeric_limits<double>::infinity());
@@ -240,10 +247,12 @@ DropSizesPtr deirmendjian_drop_sizes(double alpha, double gamma, Length mode) {
 
 DropSizesPtr marshall_palmer_drop_sizes(double mm_per_hour) {
     check_rain_rate(mm_per_hour);
+    constexpr double kIntercept_per_m3_mm = 8000.0;
     const double slope_per_mm = 4.1 * std::pow(mm_per_hour, -0.21);
     return std::make_shared<GammaSizes>(
         0.0, 1.0, 0.5 / slope_per_mm * mm, kLargestRaindrop,
-        fmt::format("rain:marshall-palmer,rate={:.6g}mm/h", mm_per_hour));
+        fmt::format("rain:marshall-palmer,rate={:.6g}mm/h", mm_per_hour),
+        kIntercept_per_m3_mm / slope_per_mm);
 }
 
 DropSizesPtr ulbrich_drop_sizes(double mm_per_hour, double shape) {
@@ -258,7 +267,8 @@ DropSizesPtr ulbrich_drop_sizes(double mm_per_hour, double shape) {
         std::pow(kRainOfDrops * intercept * std::tgamma(order) / mm_per_hour, 1.0 / order);
     return std::make_shared<GammaSizes>(
         shape, 1.0, 0.5 / slope_per_cm * cm, kLargestRaindrop,
-        fmt::format("rain:ulbrich,rate={:.6g}mm/h,shape={:.6g}", mm_per_hour, shape));
+        fmt::format("rain:ulbrich,rate={:.6g}mm/h,shape={:.6g}", mm_per_hour, shape),
+        intercept * std::tgamma(shape + 1.0) / std::pow(slope_per_cm, shape + 1.0));
 }
 
 }  // namespace dewbow

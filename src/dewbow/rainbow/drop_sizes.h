@@ -4,6 +4,7 @@
 // How many drops there are of each size.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,8 @@ public:
     virtual Length largest() const = 0;
     /// One size, and no other.
     virtual bool is_single() const { return false; }
+    /// Drops in a cubic metre, where the law of the sizes says; else nothing.
+    virtual std::optional<double> number_per_m3() const { return std::nullopt; }
     /// As parse_drop_sizes reads it.
     virtual std::string describe() const = 0;
 };
@@ -68,7 +71,8 @@ DropSizesPtr effective_gamma_drop_sizes(Length effective_radius, double effectiv
 ///                                                                        [Deirmendjian 1969, p.
 ///                                                                        78]
 DropSizesPtr deirmendjian_drop_sizes(double alpha, double gamma, Length mode);
-/// Raindrops of diameter D: n ∝ e^{−ΛD} up to D = 5 mm, Λ = 4.1 R^{−0.21} / mm with R in mm/h.
+/// Raindrops of diameter D: 8000 m⁻³ mm⁻¹ e^{−ΛD} up to D = 5 mm, Λ = 4.1 R^{−0.21} / mm with R in
+/// mm/h.
 ///                                                  [Marshall & Palmer, J. Meteor. 5, 165 (1948)]
 /// @param mm_per_hour  rain rate, 0.01 to 300.
 DropSizesPtr marshall_palmer_drop_sizes(double mm_per_hour);

@@ -164,6 +164,7 @@ TEST(DropSizes, MarshallAndPalmersRainFalls) {
         const double fallen = 3600.0 * 1e3 * number * std::numbers::pi / 6.0 * 17.67 *
                               std::pow(2.0, 3.67) * std::pow(100.0, 0.67) * rain->mean_power(3.67);
         EXPECT_NEAR(fallen / rate, 1.0, kOwnRange) << rate;
+        EXPECT_NEAR(rain->number_per_m3().value_or(0.0) / number, 1.0, 1e-9);
         EXPECT_NEAR(std::log(rain->density(0.5 * mm) / rain->density(1.0 * mm)), slope_per_mm,
                     1e-12);
         EXPECT_EQ(rain->density(2.501 * mm), 0.0);
@@ -184,6 +185,7 @@ TEST(DropSizes, UlbrichsRainFallsAtItsRate) {
         const double fallen = 3600.0 * 1e3 * number * std::numbers::pi / 6.0 * 17.67 *
                               std::pow(2.0, 3.67) * std::pow(100.0, 0.67) * rain->mean_power(3.67);
         EXPECT_NEAR(fallen / 5.0, 1.0, 2e-3) << shape;
+        EXPECT_NEAR(rain->number_per_m3().value_or(0.0) / number, 1.0, 2e-3) << shape;
     }
     // Heavier rain has larger drops; a larger μ has fewer small ones.
     EXPECT_GT(effective_radius(*ulbrich_drop_sizes(50.0, 2.0)),

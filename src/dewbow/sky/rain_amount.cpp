@@ -84,6 +84,12 @@ double number_per_cross_section(std::span<const DropSizesPtr> showers) {
     return per_section(showers, [](const DropSizes&) { return 1.0; });
 }
 
+double water_per_cross_section(std::span<const DropSizesPtr> showers) {
+    return per_section(showers, [](const DropSizes& sizes) {
+        return 4.0 / 3.0 * std::numbers::pi * sizes.mean_power(3.0);
+    });
+}
+
 double rain_rate_per_cross_section(std::span<const DropSizesPtr> showers) {
     return kMmPerHour * per_section(showers, mean_rain_flux);
 }

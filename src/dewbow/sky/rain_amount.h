@@ -44,5 +44,7 @@ double cross_section_per_volume(const RainAmount& amount, std::span<const DropSi
 /// The other way: of rain with 1 m⁻¹ of geometric cross section.
 double rain_rate_per_cross_section(std::span<const DropSizesPtr> showers);  ///< mm/h
 double number_per_cross_section(std::span<const DropSizesPtr> showers);     ///< m⁻³
+/// Volume of the drops over that of the air.
+double water_per_cross_section(std::span<const DropSizesPtr> showers);
 
 }  // namespace dewbow

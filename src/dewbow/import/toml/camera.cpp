@@ -14,6 +14,7 @@ namespace {
 constexpr Range kFieldOfViewRange_deg{0.0, 180.0, true, true};
 /// From beyond the fastest lens that was ever made to a pinhole.
 constexpr Range kFNumberRange{0.1, 1e6};
+constexpr Range kPolariserRange_deg{-360.0, 360.0};
 constexpr std::int64_t kFewestBlades = 3, kMostBlades = 64;
 
 const std::array<std::string, 3> kProjections = {"perspective", "orthographic", "panorama"};
@@ -114,6 +115,8 @@ CameraView read_camera(Table& table, const std::string& name) {
         camera.lens = read_lens(*lens, world_from_camera);
     if (auto stereo = find_part(table, camera.projection, "stereo"))
         camera.stereo = read_stereo(*stereo);
+    if (const auto degrees = table.find_number("polariser_deg", kPolariserRange_deg))
+        camera.polariser = *degrees * unit::deg;
     return camera;
 }
 

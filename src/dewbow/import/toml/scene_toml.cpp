@@ -9,6 +9,7 @@
 #include "dewbow/import/toml/imports.h"
 #include "dewbow/import/toml/lights.h"
 #include "dewbow/import/toml/materials.h"
+#include "dewbow/import/toml/rains.h"
 #include "dewbow/import/toml/settings.h"
 #include "dewbow/import/toml/shapes.h"
 #include "dewbow/import/toml/view.h"
@@ -128,6 +129,7 @@ ParsedScene read_document(const TomlDocument& document, const std::filesystem::p
     const auto imports =
         read_imports(document, root.find("imports"), context, scene, groups, parsed.diagnostics);
     read_instances(document, root.find("instances"), names, folder, groups, scene);
+    read_rains(document, root.find("rain"), folder, scene, parsed.diagnostics);
     adopt_white(film, lit_itself, imports, scene);
     read_cameras(document, root.find("camera"), root.find("cameras"), imports, parsed);
     root.finish();

@@ -14,7 +14,8 @@ namespace dewbow::toml_import {
 namespace {
 
 /// Keys of a scene file that hold [[arrays of tables]].
-constexpr std::array<std::string_view, 4> kArrays = {"shapes", "lights", "imports", "instances"};
+constexpr std::array<std::string_view, 5> kArrays = {"shapes", "lights", "imports", "instances",
+                                                     "rain"};
 
 /// The first '=' that stands outside quotes.
 std::size_t find_equals(std::string_view text) {

@@ -6,10 +6,8 @@
 #include <algorithm>
 
 #include "dewbow/base/file.h"
-#include "dewbow/import/glass/glass_file.h"
+#include "dewbow/import/toml/storm_drops.h"
 #include "dewbow/import/toml/table.h"
-#include "dewbow/optics/catalogue.h"
-#include "dewbow/rainbow/models.h"
 
 namespace dewbow {
 namespace {
@@ -17,39 +15,6 @@ namespace {
 using namespace toml_import;
 
 constexpr std::uint64_t kMaxStormBytes = std::uint64_t{16} << 20;
-
-/// A glass of the catalogue, or of a file in `folder`.
-Glass glass_or_file(const std::string& name, const std::filesystem::path& folder) {
-    if (!is_glass_file_reference(name)) return find_glass(name);
-    const GlassReference reference = split_glass_reference(name);
-    return load_glass(resolve_inside(folder.empty() ? "." : folder, reference.file),
-                      reference.name);
-}
-
-/// One name, or an array of them.
-std::vector<std::string> read_models(const TomlDocument& document, const TomlValue& value) {
-    std::vector<std::string> known;
-    for (const ScatteringModelRow& row : scattering_models()) known.push_back(row.name);
-    const auto model = [&](const TomlValue& entry) {
-        return known[read_choice(document, entry, "model", known)];
-    };
-    if (!value.array()) return {model(value)};
-    std::vector<std::string> models;
-    for (const TomlValue& entry : *value.array()) models.push_back(model(entry));
-    if (models.empty()) fail(document, value.place, "model is an empty array");
-    return models;
-}
-
-Orders read_orders(const TomlDocument& document, const TomlValue& value) {
-    const auto order = [&](const TomlValue& entry) {
-        return static_cast<int>(read_integer(document, entry, "orders", 0, kHighestOrder));
-    };
-    if (!value.array()) return {order(value)};
-    Orders orders;
-    for (const TomlValue& entry : *value.array()) orders.push_back(order(entry));
-    if (orders.empty()) fail(document, value.place, "orders is an empty array");
-    return orders;
-}
 
 std::vector<double> read_steps(const TomlDocument& document, const TomlValue& value,
                                std::string_view name, const Range& range) {
@@ -77,26 +42,13 @@ std::vector<double> read_list(const TomlDocument& document, const TomlValue& val
     return list;
 }
 
-/// 1.333, or [1.333, 1e-8] with the extinction coefficient.
-ComplexIndex read_index_value(const TomlDocument& document, const TomlValue& value) {
-    if (!value.array()) return {read_number(document, value, "index", kDropIndices), 0.0};
-    if (value.array()->size() != 2)
-        fail(document, value.place,
-             fmt::format("index is {}; expected n or [n, k]", describe(value)));
-    return {read_number(document, (*value.array())[0], "n of index", kDropIndices),
-            read_number(document, (*value.array())[1], "k of index", kDropExtinctions)};
-}
-
 class StormReader {
 public:
     explicit StormReader(const TomlDocument& document)
         : document_(document), table_(document, document.root, "the storm file") {}
 
     Storm read() {
-        table_.at_most_one_of({"drop_radius_mm", "drop_radius_um", "drop_sizes"});
-        for (const char* key : {"water", "air"}) table_.at_most_one_of({"index", key});
-        read_model();
-        read_drops();
+        read_storm_drops(table_, std::filesystem::path(document_.file).parent_path(), storm_);
         read_sun();
         read_view();
         table_.finish();
@@ -109,13 +61,6 @@ private:
     auto named(const TomlValue& value, std::string_view key, Find find) {
         const std::string& name = read_text(document_, value, key);
         return at_place(document_, value.place, [&] { return find(name); });
-    }
-    std::optional<Glass> glass(std::string_view key) {
-        const TomlValue* value = table_.find(key);
-        if (!value) return std::nullopt;
-        return named(*value, key, [&](const std::string& name) {
-            return glass_or_file(name, std::filesystem::path(document_.file).parent_path());
-        });
     }
     std::optional<bool> boolean(std::string_view key) {
         const TomlValue* value = table_.find(key);
@@ -136,40 +81,6 @@ private:
     std::vector<double> list(std::string_view key, const Range& range) {
         const TomlValue* value = table_.find(key);
         return value ? read_list(document_, *value, key, range) : std::vector<double>{};
-    }
-
-    void read_model() {
-        if (const TomlValue* value = table_.find("model"))
-            storm_.models = read_models(document_, *value);
-        if (const TomlValue* value = table_.find("orders"))
-            storm_.orders = read_orders(document_, *value);
-        storm_.tolerance = table_.find_number("tolerance", kTolerances);
-    }
-
-    /// One distribution, or an array of them.
-    std::vector<DropSizesPtr> read_showers(const TomlValue& value) {
-        if (!value.array()) return {named(value, "drop_sizes", parse_drop_sizes)};
-        std::vector<DropSizesPtr> showers;
-        for (const TomlValue& entry : *value.array())
-            showers.push_back(named(entry, "drop_sizes", parse_drop_sizes));
-        if (showers.empty()) fail(document_, value.place, "drop_sizes is an empty array");
-        return showers;
-    }
-
-    void read_drops() {
-        const Range um{1e3 * kDropRadii_mm.low, 1e3 * kDropRadii_mm.high};
-        if (const auto mm = table_.find_number("drop_radius_mm", kDropRadii_mm))
-            storm_.sizes = {single_drop_size(*mm * unit::mm)};
-        if (const auto micrometres = table_.find_number("drop_radius_um", um))
-            storm_.sizes = {single_drop_size(*micrometres * unit::um)};
-        if (const TomlValue* value = table_.find("drop_sizes")) storm_.sizes = read_showers(*value);
-        storm_.shape = word<DropShape>("drop_shape", drop_shape_names());
-        storm_.oscillation = table_.find_number("drop_oscillation", kOscillations);
-        storm_.tilt = angle("drop_tilt_deg", kTilts_deg);
-        storm_.water = glass("water");
-        storm_.air = glass("air");
-        if (const TomlValue* value = table_.find("index"))
-            storm_.index = read_index_value(document_, *value);
     }
 
     void read_sun() {
