@@ -18,6 +18,8 @@ public:
 
     /// Parallel light has no extent: it is found by sampling alone.
     bool parallel() const { return kind_ == Kind::parallel; }
+    /// Whether it is a DistantLight: as small as a sun, or without extent.
+    bool distant() const { return kind_ == Kind::parallel || kind_ == Kind::disc; }
     /// Brightness of the irradiance that it gives, about.
     double irradiance() const { return irradiance_; }
 

@@ -40,13 +40,27 @@ LightSet::LightSet(const Scene& scene) : glowing_of_shape_(scene.shapes.size(), 
             infinite_.emplace_back(light);
     }
     build_tree();
-    std::vector<double> weights;
-    for (const InfiniteLight& light : infinite_) far_irradiance_ += light.irradiance();
-    for (const InfiniteLight& light : infinite_)
-        weights.push_back((1.0 - kEvenShare) *
-                              (far_irradiance_ > 0.0 ? light.irradiance() / far_irradiance_ : 0.0) +
-                          kEvenShare / double(infinite_.size()));
-    if (!weights.empty()) choose_far_.emplace(weights);
+    std::vector<bool> not_distant;
+    for (const InfiniteLight& light : infinite_) not_distant.push_back(!light.distant());
+    far_ = far_of(std::vector<bool>(infinite_.size(), true));
+    far_but_distant_ = far_of(not_distant);
+}
+
+LightSet::Far LightSet::far_of(const std::vector<bool>& asked) const {
+    const auto count = std::count(asked.begin(), asked.end(), true);
+    if (count == 0) return {};
+    Far far;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (asked[i]) far.irradiance += infinite_[i].irradiance();
+    std::vector<double> weights(asked.size(), 0.0);
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (asked[i])
+            weights[i] =
+                (1.0 - kEvenShare) *
+                    (far.irradiance > 0.0 ? infinite_[i].irradiance() / far.irradiance : 0.0) +
+                kEvenShare / double(count);
+    far.choose.emplace(weights);
+    return far;
 }
 
 void LightSet::add_shape(const Scene& scene, int shape) {
@@ -87,12 +101,13 @@ double LightSet::beam_irradiance(const Receiver& receiver) const {
     return sum;
 }
 
-LightSet::Shares LightSet::shares(const Receiver& receiver) const {
-    if (beams_.empty() && infinite_.empty()) return {1.0, 0.0, 0.0};
+LightSet::Shares LightSet::shares(const Receiver& receiver, Asked asked) const {
+    const Far& far = this->far(asked);
+    if (beams_.empty() && !far.choose) return {1.0, 0.0, 0.0};
     if (beams_.empty() && tree_->empty()) return {0.0, 0.0, 1.0};
-    Shares shares{tree_->irradiance(receiver), beam_irradiance(receiver), far_irradiance_};
+    Shares shares{tree_->irradiance(receiver), beam_irradiance(receiver), far.irradiance};
     const double sum = shares.near + shares.beams + shares.far;
-    if (!(sum > 0.0)) return {0.0, 0.0, infinite_.empty() ? 0.0 : 1.0};
+    if (!(sum > 0.0)) return {0.0, 0.0, far.choose ? 1.0 : 0.0};
     const int groups = (shares.near > 0.0) + (shares.beams > 0.0) + (shares.far > 0.0);
     for (double* share : {&shares.near, &shares.beams, &shares.far})
         if (*share > 0.0) *share = (1.0 - kEvenShare) * *share / sum + kEvenShare / groups;
@@ -100,8 +115,8 @@ LightSet::Shares LightSet::shares(const Receiver& receiver) const {
 }
 
 std::optional<LightSample> LightSet::sample(const Receiver& receiver, double u_choice,
-                                            std::array<double, 2> u) const {
-    const Shares share = shares(receiver);
+                                            std::array<double, 2> u, Asked asked) const {
+    const Shares share = shares(receiver, asked);
     std::optional<LightSample> sample;
     if (u_choice < share.near) {
         sample = sample_near(receiver, stretched(u_choice, 0.0, share.near), u);
@@ -110,7 +125,7 @@ std::optional<LightSample> LightSet::sample(const Receiver& receiver, double u_c
         sample = sample_beam(receiver, stretched(u_choice, share.near, share.beams));
         if (sample) sample->pdf *= share.beams;
     } else if (share.far > 0.0) {
-        sample = sample_far(stretched(u_choice, share.near + share.beams, share.far), u);
+        sample = sample_far(stretched(u_choice, share.near + share.beams, share.far), u, asked);
         if (sample) sample->pdf *= share.far;
     }
     return sample;
@@ -156,15 +171,17 @@ std::optional<LightSample> LightSet::sample_beam(const Receiver& receiver, doubl
                         beam.irradiance(receiver) / sum);
 }
 
-std::optional<LightSample> LightSet::sample_far(double u_choice, std::array<double, 2> u) const {
-    const std::size_t index = choose_far_->sample(u_choice).index;
+std::optional<LightSample> LightSet::sample_far(double u_choice, std::array<double, 2> u,
+                                                Asked asked) const {
+    const Distribution1D& choose = *far(asked).choose;
+    const std::size_t index = choose.sample(u_choice).index;
     const auto s = infinite_[index].sample(u);
     if (!s) return std::nullopt;
     return LightSample{LightSample::Source::infinite,
                        int(index),
                        s->direction,
                        kInfinity,
-                       choose_far_->probability(index) * s->pdf,
+                       choose.probability(index) * s->pdf,
                        1.0,
                        infinite_[index].parallel()};
 }
@@ -227,7 +244,7 @@ double LightSet::pdf_of_choice(const Receiver& receiver, LightSample::Source sou
                              : 0.0;
         }
         case LightSample::Source::infinite:
-            return share.far * choose_far_->probability(std::size_t(index));
+            return share.far * far_.choose->probability(std::size_t(index));
     }
     return 0.0;
 }
@@ -240,8 +257,11 @@ bool LightSet::infinite_radiance(int i, Vec3 direction, const LaneSet& lanes, Rg
     return true;
 }
 
-double LightSet::pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction) const {
-    return shares(receiver).far * choose_far_->probability(std::size_t(i)) *
+double LightSet::pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction,
+                                 Asked asked) const {
+    const Far& far = this->far(asked);
+    if (!far.choose) return 0.0;
+    return shares(receiver, asked).far * far.choose->probability(std::size_t(i)) *
            infinite_[std::size_t(i)].pdf(direction);
 }
 

@@ -36,10 +36,15 @@ class LightSet {
 public:
     explicit LightSet(const Scene& scene);
 
+    /// Which lights are asked: distant ones, which are found in rain by its law, may be left out.
+    enum class Asked { all, all_but_distant };
+    /// Whether there are any.
+    bool any(Asked asked) const { return !tree_->empty() || !beams_.empty() || far(asked).choose; }
+    bool any_infinite(Asked asked) const { return far(asked).choose.has_value(); }
     /// A direction from `receiver` to some light: nothing if the one chosen is not visible from
     /// there.
     std::optional<LightSample> sample(const Receiver& receiver, double u_choice,
-                                      std::array<double, 2> u) const;
+                                      std::array<double, 2> u, Asked asked = Asked::all) const;
     /// Radiance (for lights without extent: irradiance on a surface that faces it, per pdf) that
     /// arrives by `sample`.
     void radiance(const LightSample& sample, const LaneSet& lanes, RgbLightLanes& rgb,
@@ -75,12 +80,13 @@ public:
     /// Radiance of the `i`-th of them along `direction`; false if it is not there.
     bool infinite_radiance(int i, Vec3 direction, const LaneSet& lanes, RgbLightLanes& rgb,
                            LaneValues& out) const;
-    double pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction) const;
+    double pdf_of_infinite(const Receiver& receiver, int i, Vec3 direction,
+                           Asked asked = Asked::all) const;
 
     /// What is known of each light of the tree, of a glowing shape as a whole.
     std::vector<LightBounds> near_bounds() const;
     /// Brightness of the irradiance by all lights that are infinitely far, about.
-    double far_irradiance() const { return far_irradiance_; }
+    double far_irradiance() const { return far_.irradiance; }
 
 private:
     /// Of the choices at one receiver, what falls on each group of lights; they sum to 1, or are
@@ -90,6 +96,12 @@ private:
         double beams = 0.0;
         double far = 0.0;
     };
+    /// Lights that are infinitely far, of those that are asked.
+    struct Far {
+        double irradiance = 0.0;
+        std::optional<Distribution1D> choose;  ///< nothing: there are none
+    };
+    const Far& far(Asked asked) const { return asked == Asked::all ? far_ : far_but_distant_; }
     /// What the tree chooses.
     struct Leaf {
         LightSample::Source source;
@@ -98,12 +110,14 @@ private:
     void add_shape(const Scene& scene, int shape);
     const Glow& glow_at(const Hit& hit) const;
     void build_tree();
-    Shares shares(const Receiver& receiver) const;
+    Far far_of(const std::vector<bool>& asked) const;
+    Shares shares(const Receiver& receiver, Asked asked = Asked::all) const;
     double beam_irradiance(const Receiver& receiver) const;
     std::optional<LightSample> sample_near(const Receiver& receiver, double u_choice,
                                            std::array<double, 2> u) const;
     std::optional<LightSample> sample_beam(const Receiver& receiver, double u_choice) const;
-    std::optional<LightSample> sample_far(double u_choice, std::array<double, 2> u) const;
+    std::optional<LightSample> sample_far(double u_choice, std::array<double, 2> u,
+                                          Asked asked) const;
 
     std::vector<GlowingShape> shapes_;
     std::vector<int> glowing_of_shape_;  ///< one a shape of the scene: index into shapes_, or −1
@@ -111,10 +125,9 @@ private:
     std::vector<PunctualLight> punctual_;
     std::vector<Beam> beams_;
     std::vector<InfiniteLight> infinite_;
-    double far_irradiance_ = 0.0;
     std::vector<Leaf> leaves_;
     std::optional<LightTree> tree_;
-    std::optional<Distribution1D> choose_far_;
+    Far far_, far_but_distant_;
 };
 
 }  // namespace dewbow

@@ -32,6 +32,7 @@ void CameraWalk::on_surface(const SharedPath& path, const Vertex& vertex, int ma
 
 void CameraWalk::on_flight(const SharedPath& path, const Hit& hit) {
     if (in_haze(path.media)) light_in_haze(path, hit);
+    if (in_weather(path.media)) light_in_rain(path, hit);
 }
 
 /// Light paths come where the camera sees what scatters.

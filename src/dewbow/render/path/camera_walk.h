@@ -7,6 +7,17 @@
 
 namespace dewbow::walk {
 
+/// A point of a flight where drops are, as what lights it needs it.
+struct RainPoint {
+    const Way& flight;
+    Vec3 position;
+    std::uint32_t at;  ///< of its random numbers
+    double metres;     ///< RainLight::Sample::metres
+    LaneValues left;   ///< of light on the flight to there
+    /// One a rain of the scene: its density there, 0 outside of it.
+    std::span<const double> density;
+};
+
 /// A path from the camera. At each rough surface it asks one light for direct light, and what it
 /// runs into that gives light counts too; the power heuristic weighs both, and light paths where
 /// there are any (caustics/weights.h).                                       [Veach 1997, 9.2]
@@ -46,6 +57,17 @@ private:
     static double weight_of_chance(const SharedPath& path, double next_event, double density);
     void add(const SharedPath& path, const LaneValues& radiance, double weight);
     void light_in_haze(const SharedPath& path, const Hit& hit);
+    void light_in_rain(const SharedPath& path, const Hit& hit);
+    void sun_in_rain(const SharedPath& path, const Way& way, std::size_t sun);
+    void sky_in_rain(const SharedPath& path, const Way& way);
+    void direct_light_in_rain(const SharedPath& path, const RainPoint& at, double chance,
+                              double u_choice, std::array<double, 2> u);
+    void sky_by_chance_in_rain(const SharedPath& path, const RainPoint& at, double u_rain,
+                               std::array<double, 2> u);
+    std::span<const double> haze_on(const SharedPath& path, LaneValues& extinction);
+    double density_in_rain(const RainPoint& at, double cosine) const;
+    bool scattered_in_rain(const SharedPath& path, const RainPoint& at, Vec3 towards,
+                           double distance, LaneValues& radiance);
     bool left_to_light_paths(const SharedPath& path, Vec3 point, const LightSample& light) const;
 
     const caustics::LightPaths* light_paths_;

@@ -157,7 +157,8 @@ WalkMemory& walk_memory(const PreparedScene& prepared, const WavelengthPacket& p
         memory.media.emplace(prepared.media);
     }
     memory.media->begin(packet);
-    if (prepared.weather) memory.weather.begin(prepared.weather->rains(), packet);
+    if (prepared.weather)
+        memory.weather.begin(prepared.weather->rains(), prepared.weather->suns(), packet);
     memory.light.begin(packet);
     memory.reflectance.begin(packet);
     memory.pending.clear();

@@ -114,6 +114,8 @@ protected:
     /// What colours of light and of surfaces are at the packet's wavelengths.
     RgbLightLanes& light_colours() { return memory_.light; }
     PacketMedia& packet_media() { return *memory_.media; }
+    PacketWeather& packet_weather() { return memory_.weather; }
+    RainMemory& rain_memory() { return memory_.rain; }
     /// Seen from vertex.wo, in `media`.
     ScatteringSurface surface_at(const LaneSet& lanes, MediaStack media, const Vertex& vertex,
                                  const LocalFrame& frame, const Material& material);

@@ -8,14 +8,23 @@
 #include "dewbow/render/prepared_scene.h"
 #include "dewbow/render/rgb_lanes.h"
 #include "dewbow/render/walk/packet_path.h"
+#include "dewbow/render/weather/rain_light.h"
 
 namespace dewbow::walk {
+
+/// For the rain of one flight at a time.
+struct RainMemory {
+    FlightPieces pieces;
+    RainLight light;
+    std::vector<RainLight::RainLanes> lanes;  ///< one a rain of the scene
+};
 
 /// Memory that one thread needs for its packets, kept between samples.
 struct WalkMemory {
     std::uint64_t serial = 0;
     std::optional<PacketMedia> media;
     PacketWeather weather;
+    RainMemory rain;
     // Spectra of RGB colours at the packet's wavelengths.
     RgbLightLanes light;
     RgbReflectanceLanes reflectance;

@@ -1,34 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/weather/weather.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "dewbow/render/infinite_light.h"
+#include "dewbow/render/weather/uneven_rain.h"
+#include "dewbow/sky/drop_cloud.h"
 
 namespace dewbow {
 
 namespace {
 
-/// Length of the way that lies in a region, m.
-double length_in(const ConvexRegion& region, const Way& way) {
-    const std::optional<LineInterval> inside =
-        region.cut({way.origin}, {way.direction}, way.length);
-    return inside ? inside->end - inside->begin : 0.0;
+/// Rain that is nowhere dense still asks for some points.
+constexpr double kLeastUsualDensity = 0.01;
+/// Of chaos(): its mean.
+constexpr double kMeanChaos = 0.5;
+
+double usual(const std::optional<Chaos>& chaos) {
+    if (!chaos) return 1.0;
+    return std::clamp(chaos->bias + chaos->gain * kMeanChaos, kLeastUsualDensity, 1.0);
+}
+
+RainSun rain_sun(const DistantLight& light, int index, std::span<const Rain> rains) {
+    RainSun sun{-light.direction.v, light.irradiance, index, {}};
+    for (const Rain& rain : rains)
+        sun.discs.push_back(rain.drops->disc_of({light.angular_radius, 0.0}));
+    return sun;
 }
 
 }  // namespace
 
 bool Weather::is_there(const Scene& scene) { return !scene.rains.empty(); }
 
-Weather::Weather(const Scene& scene) : rains_(scene.rains) {}
+Weather::Weather(const Scene& scene) : rains_(scene.rains) {
+    for (const Rain& rain : rains_) {
+        inside_.emplace_back(rain);
+        usual_density_.push_back(usual(rain.chaos));
+        uneven_ = uneven_ || rain.chaos;
+    }
+    int index = 0;
+    for (const Light& light : scene.lights) {
+        if (const auto* distant = std::get_if<DistantLight>(&light))
+            suns_.push_back(rain_sun(*distant, index, rains_));
+        index += InfiniteLight::holds(light);
+    }
+}
 
-void Weather::dim(const Way& way, PacketWeather& packet, const LaneSet& lanes, const SampleKey&,
+double Weather::density(std::size_t rain, Vec3 point) const {
+    return rains_[rain].chaos ? chaos_density(point, *rains_[rain].chaos) : 1.0;
+}
+
+void Weather::cut(std::size_t rain, const Way& way, std::vector<LineInterval>& inside) const {
+    inside_[rain].cut({way.origin}, {way.direction}, way.length, inside);
+}
+
+void Weather::lengths_towards(std::size_t rain, const Way& way, LineInterval on, Vec3 towards,
+                              std::vector<LengthPiece>& pieces) const {
+    inside_[rain].lengths_towards({way.origin}, {way.direction}, on, {towards}, pieces);
+}
+
+void Weather::dim(const Way& way, PacketWeather& packet, const LaneSet& lanes, const SampleKey& key,
                   LaneValues& values) const {
     for (std::size_t i = 0; i < rains_.size(); ++i) {
-        const double length = length_in(std::get<ConvexRegion>(rains_[i].region), way);
+        if (rains_[i].chaos) {
+            dim_uneven(i, way, packet.rain(i), lanes, key, values);
+            continue;
+        }
+        const double length = inside_[i].length_inside({way.origin}, {way.direction}, way.length);
         if (length == 0.0) continue;
         const PacketWeather::RainLanes& rain = packet.rain(i);
-        for (int k = 0; k < lanes.count; ++k)
-            values[k] *= std::exp(-rain.extinction[std::size_t(lanes.id[std::size_t(k)])] * length);
+        for (int k = 0; k < lanes.count; ++k) {
+            const double extinction = rain.extinction[std::size_t(lanes.id[std::size_t(k)])];
+            if (extinction > 0.0) values[k] *= std::exp(-extinction * length);
+        }
     }
+}
+
+void Weather::dim_uneven(std::size_t rain, const Way& way, const PacketWeather::RainLanes& drops,
+                         const LaneSet& lanes, const SampleKey& key, LaneValues& values) const {
+    thread_local std::vector<LineInterval> inside;
+    inside.clear();
+    cut(rain, way, inside);
+    LaneValues extinction;
+    for (int k = 0; k < lanes.count; ++k)
+        extinction[k] = drops.extinction[std::size_t(lanes.id[std::size_t(k)])];
+    // Each rain has numbers of its own.
+    RandomSteps steps(key, way.at + std::uint32_t(rain + 1) * 0xc2b2ae35u, way.purpose);
+    for (const LineInterval& part : inside)
+        dim_by_uneven_rain(
+            part, extinction.first(lanes.count), usual_density_[rain],
+            [&](double s) { return density(rain, way.origin + way.direction * s); }, steps, values);
 }
 
 }  // namespace dewbow

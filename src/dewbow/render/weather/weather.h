@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the air of a scene holds between its bodies, where the surroundings are: rain. Rains lie on
-// top of each other and add.
+// What the air of a scene holds between its bodies, where the surroundings are: rain, and the suns
+// that make bows in it. Rains lie on top of each other and add.
+
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "dewbow/render/lanes.h"
 #include "dewbow/render/weather/packet_weather.h"
+#include "dewbow/render/weather/rain_sun.h"
 #include "dewbow/render/weather/way.h"
+#include "dewbow/scene/rain_inside.h"
 
 namespace dewbow {
 
@@ -14,10 +20,23 @@ class Weather {
 public:
     /// Whether a scene has any.
     static bool is_there(const Scene& scene);
-    /// Of a scene that outlives it.
+    /// Of a scene that outlives it.   Throws InputError: drops that do not know a sun's disc.
     explicit Weather(const Scene& scene);
 
-    const std::vector<Rain>& rains() const { return rains_; }
+    std::span<const Rain> rains() const { return rains_; }
+    /// The scene's distant lights, in its order.
+    std::span<const RainSun> suns() const { return suns_; }
+    /// Whether any rain's density changes from place to place.
+    bool uneven() const { return uneven_; }
+    /// About the mean of what density() is in the i-th rain, above 0; 1 if that is even.
+    double usual_density(std::size_t rain) const { return usual_density_[rain]; }
+    /// By what share of its full density the i-th rain falls at a point inside, 0 to 1.
+    double density(std::size_t rain, Vec3 point) const;
+
+    /// Where the i-th rain is on `way`, and how far it is in it towards a light.
+    void cut(std::size_t rain, const Way& way, std::vector<LineInterval>& inside) const;
+    void lengths_towards(std::size_t rain, const Way& way, LineInterval on, Vec3 towards,
+                         std::vector<LengthPiece>& pieces) const;
 
     /// Multiplies `values` by what the weather leaves of light on `way`: an unbiased estimate of
     /// it where a rain is uneven, else exact.
@@ -25,7 +44,14 @@ public:
              LaneValues& values) const;
 
 private:
-    const std::vector<Rain>& rains_;
+    void dim_uneven(std::size_t rain, const Way& way, const PacketWeather::RainLanes& drops,
+                    const LaneSet& lanes, const SampleKey& key, LaneValues& values) const;
+
+    std::span<const Rain> rains_;
+    std::vector<RainInside> inside_;     ///< one a rain
+    std::vector<double> usual_density_;  ///< one a rain
+    std::vector<RainSun> suns_;
+    bool uneven_ = false;
 };
 
 }  // namespace dewbow
