@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/scene/rain_inside.h"
 
+#include "dewbow/sky/length_pieces.h"
+#include "dewbow/sky/mirrored_way.h"
+
 namespace dewbow {
 
 WorldTriangles world_triangles(const MeshRegion& region) {
@@ -49,6 +52,24 @@ void RainInside::lengths_towards(Point<World> origin, Dir<World> direction, Line
     } else {
         std::get<1>(inside_)->lengths_towards(origin, direction, on, towards, pieces);
     }
+}
+
+void RainInside::lengths_down_to(double height_m, Point<World> origin, Dir<World> direction,
+                                 LineInterval on, Dir<World> towards,
+                                 std::vector<LengthPiece>& pieces) const {
+    if (const auto* convex = std::get_if<ConvexRegion>(&inside_)) {
+        convex->above(height_m).lengths_towards(origin, direction, on, towards, pieces);
+        return;
+    }
+    // All of the way, without what lies beyond the plane.
+    std::vector<LengthPiece> all, beyond;
+    lengths_towards(origin, direction, on, towards, all);
+    const LineOnPlane line(height_m, origin, direction, towards);
+    line.lengths([&](Point<World> o, Dir<World> d, LineInterval part,
+                     std::vector<LengthPiece>& out) { lengths_towards(o, d, part, towards, out); },
+                 on, beyond);
+    const std::vector<LengthPiece> difference = sum_of(all, beyond, -1.0);
+    pieces.insert(pieces.end(), difference.begin(), difference.end());
 }
 
 }  // namespace dewbow

@@ -28,6 +28,12 @@ public:
     void lengths_towards(Point<World> origin, Dir<World> direction, LineInterval on,
                          Dir<World> towards, std::vector<LengthPiece>& pieces) const;
 
+    /// The same, of the way to `towards` (downwards) as far as the plane y = `height_m`, above
+    /// which `on` lies.
+    void lengths_down_to(double height_m, Point<World> origin, Dir<World> direction,
+                         LineInterval on, Dir<World> towards,
+                         std::vector<LengthPiece>& pieces) const;
+
 private:
     std::variant<ConvexRegion, std::shared_ptr<const ClosedMesh>> inside_;
 };

@@ -122,6 +122,12 @@ ConvexRegion ConvexRegion::curtain(Point<World> from, Point<World> to, Length th
     return region;
 }
 
+ConvexRegion ConvexRegion::above(double height_m) const {
+    ConvexRegion region = *this;
+    region.half_spaces_.push_back({{0, -1, 0}, -height_m});
+    return region;
+}
+
 bool ConvexRegion::contains(Point<World> point) const {
     return std::all_of(half_spaces_.begin(), half_spaces_.end(), [&](const HalfSpace& face) {
         return dot(face.normal, point.v) <= face.offset;

@@ -49,6 +49,9 @@ public:
     static ConvexRegion curtain(Point<World> from, Point<World> to, Length thickness, Length bottom,
                                 Length top);
 
+    /// What of it lies above a height.
+    ConvexRegion above(double height_m) const;
+
     std::span<const HalfSpace> half_spaces() const { return half_spaces_; }
     bool contains(Point<World> point) const;
     /// The distance between the two parallel faces that lie closest together; nothing where no two
