@@ -119,8 +119,8 @@ void write_shape(std::ostream& out, const Shape& shape, const Material& material
     out << ">";
     const auto* diffuse = std::get_if<Diffuse>(&material.surface);
     if (!has_colours && diffuse && diffuse->reflectance.spectrum) {
-        const auto rgb = rgb_from_xyz<LinearSrgb>(xyz_from_spectrum(*diffuse->reflectance.spectrum) *
-                                                  (1.0 / cie_y_integral()));
+        const auto rgb = rgb_from_xyz<LinearSrgb>(
+            xyz_from_spectrum(*diffuse->reflectance.spectrum) * (1.0 / cie_y_integral()));
         out << fmt::format(" pigment {{ rgb <{:.4g},{:.4g},{:.4g}> }}", rgb[0], rgb[1], rgb[2]);
     }
     out << " }\n";

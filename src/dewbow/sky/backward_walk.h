@@ -27,9 +27,10 @@ public:
         : optics_(air_optics(sky, lambda_nm * unit::nm)),
           asymmetry_(sky.aerosol_asymmetry),
           albedo_(sky.ground_albedo),
+          eye_m_(std::max(sky.eye_height_m, 1e-3)),
           to_sun_(to_sun) {}
 
-    /// Radiance seen from the ground along `direction`, upwards.
+    /// Radiance seen from the sky's eye along `direction`.
     WalkEstimate radiance(Vec3 direction, int photons, std::uint64_t seed) {
         state_ = seed;
         double sum = 0.0, squares = 0.0;
@@ -110,7 +111,7 @@ private:
     }
 
     double one(Vec3 d) {
-        Vec3 p{0.0, kSkyRadius_m + 1e-3, 0.0};
+        Vec3 p{0.0, kSkyRadius_m + eye_m_, 0.0};
         double weight = 1.0, found = 0.0;
         bool ground = false;
         while (fly(p, d, ground)) {
@@ -146,7 +147,7 @@ private:
     }
 
     AirOptics optics_;
-    double asymmetry_, albedo_;
+    double asymmetry_, albedo_, eye_m_;
     Vec3 to_sun_;
     std::uint64_t state_ = 0;
 };

@@ -12,7 +12,6 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/math/interpolation.h"
-#include "dewbow/math/quadrature.h"
 #include "dewbow/sky/clear_air.h"
 #include "dewbow/sky/sky_light.h"
 #include "dewbow/spectrum/cie.h"
@@ -53,25 +52,6 @@ private:
     SpectrumPtr light_;
 };
 
-/// Of the sky alone on level ground, over the sun's irradiance, every 5 nm.
-std::vector<double> diffuse_share(const SkyTable& table) {
-    constexpr int kSines = 20, kTurns = 36;
-    std::vector<double> lambda_nm(SkyTable::kFineWavelengths), sum(lambda_nm.size()),
-        sky(lambda_nm.size());
-    for (std::size_t f = 0; f < lambda_nm.size(); ++f)
-        lambda_nm[f] = kLambdaMin_nm + SkyTable::kFineStep_nm * static_cast<double>(f);
-    const QuadratureRule rule = gauss_legendre(kSines);
-    for (int i = 0; i < kSines; ++i) {
-        const double sine = 0.5 + 0.5 * rule.nodes[i];
-        for (int j = 0; j < kTurns; ++j) {
-            table.eval_lanes(std::asin(sine), kPi * (j + 0.5) / kTurns, lambda_nm, sky);
-            const double weight = 0.5 * rule.weights[i] * sine * 2.0 * kPi / kTurns;
-            for (std::size_t f = 0; f < sky.size(); ++f) sum[f] += weight * sky[f];
-        }
-    }
-    return sum;
-}
-
 /// Weights of the 5 nm knots that make luminance of a ratio to `light`.
 std::vector<double> luminance_weights(const Spectrum& light) {
     std::vector<double> weights(SkyTable::kFineWavelengths);
@@ -85,70 +65,79 @@ std::vector<double> luminance_weights(const Spectrum& light) {
     return weights;
 }
 
+/// One half of the dome.
+struct Half {
+    Half(const ClearDay& day, SkyHalf half, double eye_m, std::span<const double> weights)
+        : reach(reach_of(half, eye_m)),
+          table(sky_light(day, half, eye_m)),
+          luminance(table.weighted_sum(weights)) {}
+
+    double luminance_at(double share, double azimuth) const {
+        const SkyStencil stencil(share, azimuth);
+        double sum = 0.0;
+        for (int k = 0; k < 16; ++k) sum += stencil.weights[k] * luminance[stencil.knots[k]];
+        return std::max(sum, 0.0);
+    }
+
+    double reach;                   ///< from the horizon straight up or down, radians
+    SkyTable table;                 ///< over the sun's irradiance, sr⁻¹
+    std::vector<double> luminance;  ///< at the knots of table, cd m⁻²
+};
+
 class Dome final : public ClearSkyDome {
 public:
     Dome(const ClearSky& sky, const ClearDay& day, Dir<World> to_sun, SpectrumPtr above)
         : to_sun_(to_sun),
-          above_(std::move(above)),
-          table_(sky_light(day)),
-          diffuse_(diffuse_share(table_)),
-          aerial_(make_clear_air(sky, day, to_sun, above_)) {
-        light_ground(sky.ground_albedo, day);
-        const std::vector<double> weights = luminance_weights(*above_);
-        luminance_ = table_.weighted_sum(weights);
-        for (int f = 0; f < SkyTable::kFineWavelengths; ++f)
-            ground_luminance_ += weights[f] * ground_[f];
+          light_(std::move(above)),
+          dip_(dip_of_horizon(sky.eye_height_m)),
+          weights_(luminance_weights(*light_)),
+          above_(day, SkyHalf::above, sky.eye_height_m, weights_),
+          below_(day, SkyHalf::below, sky.eye_height_m, weights_),
+          aerial_(make_clear_air(sky, day, to_sun, light_)) {
+        std::array<double, kSkyWavelengths> diffuse;
+        for (int k = 0; k < kSkyWavelengths; ++k) diffuse[k] = day.diffuse[k].ground_irradiance;
+        diffuse_ = refine_over_wavelength(diffuse);
     }
 
     void radiance_lanes(Dir<World> direction, std::span<const double> lambda_nm,
                         std::span<double> out) const override {
-        if (direction.v.y < 0.0) {
-            for (std::size_t i = 0; i < out.size(); ++i) out[i] = fine_value(ground_, lambda_nm[i]);
-        } else {
-            table_.eval_lanes(elevation_of(direction), azimuth_from(to_sun_, direction), lambda_nm,
-                              out);
-        }
+        const Place at = place_of(direction);
+        at.half->table.eval_lanes(at.share, at.azimuth, lambda_nm, out);
         std::array<double, 16> light;
-        for (std::size_t at = 0; at < out.size(); at += light.size()) {
-            const std::size_t n = std::min(light.size(), out.size() - at);
-            above_->eval_lanes(lambda_nm.subspan(at, n), std::span(light).first(n));
-            for (std::size_t i = 0; i < n; ++i) out[at + i] *= light[i];
+        for (std::size_t first = 0; first < out.size(); first += light.size()) {
+            const std::size_t n = std::min(light.size(), out.size() - first);
+            light_->eval_lanes(lambda_nm.subspan(first, n), std::span(light).first(n));
+            for (std::size_t i = 0; i < n; ++i) out[first + i] *= light[i];
         }
     }
 
     double luminance(Dir<World> direction) const override {
-        if (direction.v.y < 0.0) return ground_luminance_;
-        const SkyStencil stencil(elevation_of(direction), azimuth_from(to_sun_, direction));
-        double sum = 0.0;
-        for (int k = 0; k < 16; ++k) sum += stencil.weights[k] * luminance_[stencil.knots[k]];
-        return std::max(sum, 0.0);
+        const Place at = place_of(direction);
+        return at.half->luminance_at(at.share, at.azimuth);
     }
 
     AerialPtr aerial() const override { return aerial_; }
     SpectrumPtr diffuse_irradiance() const override {
-        return std::make_shared<FineTimesLight>(diffuse_, above_);
+        return std::make_shared<FineTimesLight>(diffuse_, light_);
     }
 
 private:
-    static double elevation_of(Dir<World> d) { return std::atan2(d.v.y, std::hypot(d.v.x, d.v.z)); }
-    /// The ground sends back what comes down on it from sky and sun.
-    void light_ground(double albedo, const ClearDay& day) {
-        const AirParts mass = air_mass_to_space(0.0, day.sun.sine);
-        std::array<double, kSkyWavelengths> direct;
-        for (int k = 0; k < kSkyWavelengths; ++k)
-            direct[k] = std::exp(-dot(day.optics[k].depth, mass));
-        ground_ = refine_over_wavelength(direct);
-        for (std::size_t f = 0; f < ground_.size(); ++f)
-            ground_[f] = albedo / kPi * (ground_[f] * day.sun.sine + diffuse_[f]);
+    struct Place {
+        const Half* half;
+        double share, azimuth;
+    };
+    Place place_of(Dir<World> d) const {
+        const double over = std::atan2(d.v.y, std::hypot(d.v.x, d.v.z)) + dip_;
+        const Half& half = over >= 0.0 ? above_ : below_;
+        return {&half, std::abs(over) / half.reach, azimuth_from(to_sun_, d)};
     }
 
     Dir<World> to_sun_;
-    SpectrumPtr above_;
-    SkyTable table_;                 ///< sky over the sun's irradiance, sr⁻¹
-    std::vector<double> diffuse_;    ///< every 5 nm
-    std::vector<double> ground_;     ///< over the sun's irradiance, sr⁻¹, every 5 nm
-    std::vector<double> luminance_;  ///< at the knots of table_, cd m⁻²
-    double ground_luminance_ = 0.0;
+    SpectrumPtr light_;            ///< above the atmosphere
+    double dip_;                   ///< of the horizon, radians
+    std::vector<double> weights_;  ///< of luminance
+    Half above_, below_;
+    std::vector<double> diffuse_;  ///< on the ground, over the sun's irradiance, every 5 nm
     AerialPtr aerial_;
 };
 

@@ -13,8 +13,9 @@
 
 namespace dewbow {
 
-/// The sky over level ground at sea level, without the sun's disc. Below the horizon: the ground,
-/// Lambertian, in the light of sun and sky, with no air before it.
+/// The sky over level ground at sea level, without the sun's disc, seen from
+/// ClearSky::eye_height_m. Below the horizon (which lies the lower the higher the eye is): the
+/// ground, Lambertian, in the light of sun and sky, through the air before it.
 class ClearSkyDome : public SkyDome {
 public:
     /// The same sky's air between things.

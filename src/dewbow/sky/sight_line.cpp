@@ -8,13 +8,45 @@
 namespace dewbow {
 namespace {
 
-constexpr int kSightSteps = 72;
+constexpr int kRisingSteps = 72, kFallingSteps = 48;
 
 // The table of the sun's masses: heights as the cube of even numbers, altitudes even.
 constexpr int kHeights = 48, kAltitudes = 73;
 constexpr double kAltitudeStep = 0.25 * std::numbers::pi / 180.0;
 /// Kept off the logarithm's end.
 constexpr double kLeastMass = 1e-9;
+
+/// Cuts a line into steps.
+struct Walker {
+    double radius;         ///< of the eye, m
+    double along;          ///< from the line's lowest point to the eye, m
+    double cos_elevation;  ///< at the eye
+
+    void add_step(double s, double length, SightLine& line) const {
+        const double r = std::sqrt(radius * radius + s * (s + 2.0 * along));
+        SightStep step;
+        step.distance_m = s;
+        step.height_m = std::max(radius - kSkyRadius_m + s * (s + 2.0 * along) / (r + radius), 0.0);
+        step.sin_altitude = (along + s) / r;
+        step.level_angle = std::asin(std::min(s * cos_elevation / r, 1.0));
+        step.step_mass = length * air_density(step.height_m);
+        step.mass = line.mass + 0.5 * step.step_mass;
+        line.mass = line.mass + step.step_mass;
+        line.steps.push_back(step);
+    }
+    /// Steps grow as cubes: most of what is seen is near the start.
+    void add_rising(double from, double to, SightLine& line) const {
+        for (int k = 0; k < kRisingSteps; ++k) {
+            const double u = (k + 0.5) / kRisingSteps;
+            add_step(from + (to - from) * u * u * u, (to - from) * 3.0 * u * u / kRisingSteps,
+                     line);
+        }
+    }
+    void add_falling(double to, SightLine& line) const {
+        for (int k = 0; k < kFallingSteps; ++k)
+            add_step(to * (k + 0.5) / kFallingSteps, to / kFallingSteps, line);
+    }
+};
 
 AirParts log_of(AirParts m) {
     return {std::log(m.air + kLeastMass), std::log(m.haze + kLeastMass),
@@ -23,28 +55,27 @@ AirParts log_of(AirParts m) {
 
 }  // namespace
 
-std::vector<SightStep> sight_line(double sin_elevation) {
-    const double along = kSkyRadius_m * sin_elevation;
+SightLine sight_line(double eye_m, double sin_elevation) {
+    const double radius = kSkyRadius_m + eye_m, along = radius * sin_elevation;
+    const double lowest2 = radius * radius - along * along;
+    const Walker walker{radius, along, std::sqrt(std::max(lowest2, 0.0)) / radius};
     const double top = kSkyRadius_m + kSkyTop_m;
-    const double end = std::sqrt(top * top - kSkyRadius_m * kSkyRadius_m + along * along) - along;
-    const double cos_elevation = std::sqrt(1.0 - sin_elevation * sin_elevation);
-    std::vector<SightStep> steps(kSightSteps);
-    AirParts passed;
-    for (int k = 0; k < kSightSteps; ++k) {
-        // Steps grow as cubes: most of what is seen is near.
-        const double u = (k + 0.5) / kSightSteps;
-        SightStep& step = steps[k];
-        step.distance_m = end * u * u * u;
-        const double s = step.distance_m;
-        const double r = std::sqrt(kSkyRadius_m * kSkyRadius_m + s * (s + 2.0 * along));
-        step.height_m = s * (s + 2.0 * along) / (r + kSkyRadius_m);
-        step.sin_altitude = (along + s) / r;
-        step.level_angle = std::asin(s * cos_elevation / r);
-        step.step_mass = (3.0 * u * u * end / kSightSteps) * air_density(step.height_m);
-        step.mass = passed + 0.5 * step.step_mass;
-        passed = passed + step.step_mass;
+    const double end = std::sqrt(top * top - lowest2) - along;
+    SightLine line;
+    if (along >= 0.0) {
+        walker.add_rising(0.0, end, line);
+    } else if (lowest2 < kSkyRadius_m * kSkyRadius_m) {
+        line.to_ground = true;
+        walker.add_falling(-along - std::sqrt(kSkyRadius_m * kSkyRadius_m - lowest2), line);
+    } else {
+        walker.add_falling(-along, line);
+        walker.add_rising(-along, end, line);
     }
-    return steps;
+    return line;
+}
+
+double dip_of_horizon(double eye_m) {
+    return std::acos(kSkyRadius_m / (kSkyRadius_m + std::max(eye_m, 0.0)));
 }
 
 SunMasses::SunMasses(double sun_altitude)

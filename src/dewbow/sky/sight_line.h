@@ -19,11 +19,20 @@ struct SightStep {
     AirParts step_mass;   ///< of the step itself
 };
 
-/// The steps of the line that leaves the ground at a sine of elevation of 0 to 1, over a sphere of
-/// radius kSkyRadius_m, to kSkyTop_m.
-std::vector<SightStep> sight_line(double sin_elevation);
+/// A straight line over a sphere of radius kSkyRadius_m, out of the air or down to the ground.
+struct SightLine {
+    std::vector<SightStep> steps;
+    AirParts mass;  ///< of the whole
+    bool to_ground = false;
+};
 
-/// Masses towards the sun from every place that lines of sight from one eye on the ground pass.
+/// @param eye_m  height of the eye, 0 to kSkyTop_m.   @param sin_elevation  at the eye, −1 to 1.
+SightLine sight_line(double eye_m, double sin_elevation);
+
+/// How far the horizon lies below the level of an eye, radians; 0.95° at 1 km.
+double dip_of_horizon(double eye_m);
+
+/// Masses towards the sun from every place that lines of sight from one eye near the ground pass.
 /// A table by height and local altitude of the sun; error 0.3 %.
 class SunMasses {
 public:

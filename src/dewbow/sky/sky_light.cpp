@@ -23,14 +23,15 @@ DiffuseField slope_of(const DiffuseField& lower, const DiffuseField& higher, dou
 
 /// Light of an irradiance of 1 that air and haze scatter once towards the eye, added to `out` by
 /// wavelength.
-void add_single_scattering(const std::vector<SightStep>& line, double elevation, double azimuth,
+void add_single_scattering(const SightLine& line, double eye_m, double elevation, double azimuth,
                            const ClearDay& day, double* out) {
     const double cosine = std::sin(elevation) * day.sun.sine +
                           std::cos(elevation) * day.sun.cosine * std::cos(azimuth);
     const double p_air = air_phase(cosine), p_haze = haze_phase(cosine, day.asymmetry);
-    for (const SightStep& step : line) {
+    for (const SightStep& step : line.steps) {
         const double r = kSkyRadius_m + step.height_m;
-        const double sin_sun = (kSkyRadius_m * day.sun.sine + step.distance_m * cosine) / r;
+        const double sin_sun =
+            ((kSkyRadius_m + eye_m) * day.sun.sine + step.distance_m * cosine) / r;
         const double visible = visible_share_of_sun(step.height_m, sin_sun);
         if (visible <= 0.0) continue;
         const AirParts mass = step.mass + day.masses.at(step.height_m, sin_sun);
@@ -88,18 +89,21 @@ Modes multiple_scattering(const std::vector<SightStep>& line,
 }
 
 /// One elevation, all azimuths: [azimuth][wavelength].
-void light_row(const ClearDay& day, double elevation, double* out) {
-    const std::vector<SightStep> line = sight_line(std::sin(elevation));
-    std::vector<Harmonics> harmonics(line.size());
-    for (std::size_t s = 0; s < line.size(); ++s)
-        legendre_harmonics(kDiffuseDegree, line[s].sin_altitude, harmonics[s]);
+void light_row(const ClearDay& day, double eye_m, double elevation, double* out) {
+    const SightLine line = sight_line(eye_m, std::sin(elevation));
+    std::vector<Harmonics> harmonics(line.steps.size());
+    for (std::size_t s = 0; s < line.steps.size(); ++s)
+        legendre_harmonics(kDiffuseDegree, line.steps[s].sin_altitude, harmonics[s]);
     for (int k = 0; k < kSkyWavelengths; ++k) {
-        const Modes modes = multiple_scattering(line, harmonics, day, k);
+        const Modes modes = multiple_scattering(line.steps, harmonics, day, k);
+        const double ground =
+            line.to_ground ? day.ground[k] * std::exp(-dot(day.optics[k].depth, line.mass)) : 0.0;
         for (int j = 0; j < kSkyAzimuths; ++j)
-            out[j * kSkyWavelengths + k] = modes.at(sky_azimuth(j));
+            out[j * kSkyWavelengths + k] = ground + modes.at(sky_azimuth(j));
     }
     for (int j = 0; j < kSkyAzimuths; ++j)
-        add_single_scattering(line, elevation, sky_azimuth(j), day, out + j * kSkyWavelengths);
+        add_single_scattering(line, eye_m, elevation, sky_azimuth(j), day,
+                              out + j * kSkyWavelengths);
 }
 
 }  // namespace
@@ -117,6 +121,8 @@ ClearDay::ClearDay(const ClearSky& sky, const SunPlace& where)
             return diffuse_field(optics[k], asymmetry, sky.ground_albedo, place, masses);
         };
         diffuse[k] = field_of(sun);
+        const double beam = sun.sine * std::exp(-dot(optics[k].depth, masses.at(0.0, sun.sine)));
+        ground[k] = sky.ground_albedo / std::numbers::pi * (beam + diffuse[k].ground_irradiance);
         diffuse_slope[k] = slope_of(field_of(lower), field_of(higher), 2.0 * kSlopeStep);
     });
 }
@@ -127,11 +133,19 @@ double azimuth_from(Dir<World> to_sun, Dir<World> direction) {
     return std::atan2(std::abs(across), along);
 }
 
-std::vector<double> sky_light(const ClearDay& day) {
+double reach_of(SkyHalf half, double eye_m) {
+    const double dip = dip_of_horizon(eye_m);
+    return 0.5 * std::numbers::pi + (half == SkyHalf::above ? dip : -dip);
+}
+
+std::vector<double> sky_light(const ClearDay& day, SkyHalf half, double eye_m) {
+    const double dip = dip_of_horizon(eye_m), reach = reach_of(half, eye_m);
     std::vector<double> values(std::size_t{kSkyElevations} * kSkyAzimuths * kSkyWavelengths);
     parallel_for(kSkyElevations, [&](std::size_t i) {
-        light_row(day, sky_elevation(static_cast<int>(i)),
-                  &values[i * kSkyAzimuths * kSkyWavelengths]);
+        // A hair off the horizon, so that the line ends where it should.
+        const double angle = std::max(sky_angle(static_cast<int>(i), reach), 1e-9);
+        const double elevation = half == SkyHalf::above ? angle - dip : -angle - dip;
+        light_row(day, eye_m, elevation, &values[i * kSkyAzimuths * kSkyWavelengths]);
     });
     return values;
 }

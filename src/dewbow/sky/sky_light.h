@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Sunlight scattered towards an eye on the ground, for the knots of a SkyTable.
+// Sunlight scattered towards an eye, for the knots of a SkyTable.
 
 #include <array>
 #include <vector>
@@ -27,13 +27,19 @@ struct ClearDay {
     /// How diffuse changes with the sun's altitude, per radian: places that are seen far away
     /// towards the sun have a higher one.
     std::vector<DiffuseField> diffuse_slope;
+    /// What the ground sends back, over the sun's irradiance, sr⁻¹.
+    std::array<double, kSkyWavelengths> ground;
 };
 
 /// The azimuth of a direction from the sun, radians, 0 to π.
 double azimuth_from(Dir<World> to_sun, Dir<World> direction);
 
-/// Radiance over the sun's irradiance above the atmosphere, sr⁻¹:
-/// [elevation][azimuth][wavelength].
-std::vector<double> sky_light(const ClearDay& day);
+/// The sky as seen from a height, and the ground below its horizon through the air before it.
+enum class SkyHalf { above, below };
+/// From the horizon straight up, or down, radians.
+double reach_of(SkyHalf half, double eye_m);
+
+/// Radiance over the sun's irradiance above the atmosphere, sr⁻¹, [angle][azimuth][wavelength].
+std::vector<double> sky_light(const ClearDay& day, SkyHalf half, double eye_m);
 
 }  // namespace dewbow

@@ -29,23 +29,23 @@ int mirrored(int j) {
 
 }  // namespace
 
-double sky_elevation(int i) {
+double sky_angle(int i, double reach) {
     const double u = static_cast<double>(i) / (kSkyElevations - 1);
-    return 0.5 * kPi * u * u;
+    return reach * u * u;
 }
 double sky_azimuth(int j) { return kPi * j / (kSkyAzimuths - 1); }
 double sky_wavelength_nm(int k) {
     return kLambdaMin_nm + (kLambdaMax_nm - kLambdaMin_nm) * k / (kSkyWavelengths - 1);
 }
 
-SkyStencil::SkyStencil(double elevation, double azimuth) {
-    const double u = std::sqrt(std::clamp(elevation / (0.5 * kPi), 0.0, 1.0));
+SkyStencil::SkyStencil(double share, double azimuth) {
+    const double u = std::sqrt(std::clamp(share, 0.0, 1.0));
     const auto [row, tr] = knot_interval(u * (kSkyElevations - 1), kSkyElevations);
     const auto [column, tc] = knot_interval(azimuth / kPi * (kSkyAzimuths - 1), kSkyAzimuths);
     const auto wr = cubic_weights(tr), wc = cubic_weights(tc);
     for (int a = 0; a < 4; ++a) {
-        // Below the horizon knots are mirrored: values are even in the root of the elevation.
-        // Beyond the zenith lies the other side.
+        // Beyond the horizon knots are mirrored: values are even in the root of the angle. Beyond
+        // the zenith lies the other side.
         int i = std::abs(row + a - 1);
         const bool over = i > kSkyElevations - 1;
         if (over) i = 2 * (kSkyElevations - 1) - i;
@@ -84,9 +84,9 @@ SkyTable::SkyTable(std::span<const double> values) {
             values_.push_back(static_cast<float>(v));
 }
 
-void SkyTable::eval_lanes(double elevation, double azimuth, std::span<const double> lambda_nm,
+void SkyTable::eval_lanes(double share, double azimuth, std::span<const double> lambda_nm,
                           std::span<double> out) const {
-    const SkyStencil stencil(elevation, azimuth);
+    const SkyStencil stencil(share, azimuth);
     std::fill(out.begin(), out.end(), 0.0);
     for (int k = 0; k < 16; ++k) {
         const float* row = &values_[stencil.knots[k] * kFineWavelengths];
