@@ -10,13 +10,12 @@
 
 #include "dewbow/base/error.h"
 #include "dewbow/math/interpolation.h"
-#include "dewbow/sky/air_column.h"
+#include "dewbow/sky/air_optics.h"
 #include "dewbow/spectrum/lanewise.h"
 
 namespace dewbow {
 namespace {
 
-constexpr double kStandardPressure_hPa = 1013.25;
 /// Molecules per m² of one Dobson unit.
 constexpr double kDobson_per_m2 = 2.6867e20;
 
@@ -46,33 +45,26 @@ void check_altitude(Angle altitude) {
                                  altitude.to(unit::deg)));
 }
 
-/// m⁻¹ on the ground.
+/// m⁻¹ on the ground, of clean air.
 double air_extinction_550nm(const ClearSky& sky) {
-    return rayleigh_depth(550.0 * unit::nm) * sky.pressure_hPa / kStandardPressure_hPa *
-           air_density(0.0).air;
+    return air_optics(sky, 550.0 * unit::nm).depth.air * air_density(0.0).air;
 }
 
 class DirectTransmittance final : public Lanewise<DirectTransmittance> {
 public:
     DirectTransmittance(Angle altitude, const ClearSky& sky)
         : sky_(sky),
-          air_mass_(relative_air_mass(altitude)),
-          haze_mass_(relative_haze_mass(altitude)),
-          ozone_mass_(relative_ozone_mass(altitude)) {}
+          mass_{relative_air_mass(altitude), relative_haze_mass(altitude),
+                relative_ozone_mass(altitude)} {}
 
     double value_at(double lambda_nm) const {
-        const Wavelength lambda = lambda_nm * unit::nm;
-        const double aerosol =
-            sky_.aerosol_depth_500nm * std::pow(lambda_nm / 500.0, -sky_.angstrom_exponent);
-        const double rayleigh = rayleigh_depth(lambda) * sky_.pressure_hPa / kStandardPressure_hPa;
-        return std::exp(-air_mass_ * rayleigh - haze_mass_ * aerosol -
-                        ozone_mass_ * ozone_depth(lambda, sky_.ozone_dobson));
+        return std::exp(-dot(mass_, air_optics(sky_, lambda_nm * unit::nm).depth));
     }
     double max_value() const override { return 1.0; }
 
 private:
     ClearSky sky_;
-    double air_mass_, haze_mass_, ozone_mass_;
+    AirParts mass_;
 };
 
 class Product final : public Lanewise<Product> {

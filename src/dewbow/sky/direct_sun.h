@@ -49,6 +49,10 @@ double relative_air_mass(Angle altitude);
 /// 87 (1986)]
 double relative_ozone_mass(Angle altitude);
 
+/// And for haze, which thins out exponentially by 1.5 km: over the sphere of air_column.h; 87.6 on
+/// the horizon.
+double relative_haze_mass(Angle altitude);
+
 /// Vertical optical depths at sea level. Air: 0.008569 λ⁻⁴ (1 + 0.0113 λ⁻² + 0.00013 λ⁻⁴) with λ in
 /// µm and 1013.25 hPa.                              [Hansen & Travis, Space Sci. Rev. 16, 527
 /// (1974), eq. 2.30]
@@ -58,12 +62,8 @@ double rayleigh_depth(Wavelength lambda);
 /// averaged by E. Bruneton's precomputed_atmospheric_scattering]
 double ozone_depth(Wavelength lambda, double dobson);
 
-/// And for haze that thins out exponentially by 1.5 km (air_column.h), by a straight ray over a
-/// sphere; 87 on the horizon.
-double relative_haze_mass(Angle altitude);
-
 /// The share of sunlight that arrives in the direct beam, by wavelength:
-/// exp(−m_air (τ_Rayleigh + τ_aerosol) − m_ozone τ_ozone). Haze is counted with the air's path.
+/// exp(−m_air τ_Rayleigh − m_haze τ_aerosol − m_ozone τ_ozone).
 ///
 /// Water vapour and oxygen are left out: against ASTM G173's direct beam (air mass 1.5) this is
 /// within 1 % from 400 to 550 and from 670 to 780 nm, 3 % too bright in the weak bands at 570 to
