@@ -119,7 +119,7 @@ void validate(const ClearSky& sky) {
     check_range(sky.angstrom_exponent, -1.0, 4.0, "Ångström exponent");
     check_range(sky.ozone_dobson, 0.0, 700.0, "ozone column");
     check_range(sky.aerosol_albedo, 0.0, 1.0, "albedo of the aerosol");
-    check_range(sky.aerosol_asymmetry, 0.0, 0.85, "asymmetry of the aerosol");
+    check_range(sky.aerosol_asymmetry, 0.0, 0.8, "asymmetry of the aerosol");
     check_range(sky.ground_albedo, 0.0, 1.0, "ground albedo");
     check_range(sky.eye_height_m, 0.0, 12e3, "height of the eye, in metres,");
 }

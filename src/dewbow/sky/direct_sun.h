@@ -18,7 +18,7 @@ struct ClearSky {
     // Haze of the continents, at 550 nm.       [Hess, Koepke & Schult, Bull. Am. Meteor. Soc. 79,
     // 831 (1998), Table 4: continental average]
     double aerosol_albedo = 0.925;     ///< share of its extinction that is scattered, 0 to 1
-    double aerosol_asymmetry = 0.703;  ///< g of Henyey & Greenstein's phase function, 0 to 0.85
+    double aerosol_asymmetry = 0.703;  ///< g of Henyey & Greenstein's phase function, 0 to 0.8
     double ground_albedo = 0.2;        ///< of a Lambertian ground, 0 to 1
     double eye_height_m = 2.0;         ///< from which the sky is seen, above the ground, 0 to 12000
 

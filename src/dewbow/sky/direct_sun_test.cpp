@@ -155,7 +155,7 @@ TEST(DirectTransmittance, RefusesWithOneSentence) {
     ClearSky steep;
     steep.aerosol_asymmetry = 0.95;
     EXPECT_EQ(refusal({}, steep),
-              "asymmetry of the aerosol 0.95 of a clear sky; expected 0 to 0.85");
+              "asymmetry of the aerosol 0.95 of a clear sky; expected 0 to 0.8");
     EXPECT_EQ(refusal({}, {0.0, 0.1, 1.3, 300.0}),
               "pressure 0 of a clear sky; expected 100 to 1100");
 }
