@@ -50,6 +50,8 @@ struct MoveLight {
         moved->world_from_object = turned(light->world_from_object);
         return std::shared_ptr<const ImageEnvironment>(moved);
     }
+    /// North and up are the host's.
+    Light operator()(const SkyDomePtr& sky) const { return sky; }
 };
 
 /// Where each material of the guest is found in the host.

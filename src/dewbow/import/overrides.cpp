@@ -81,7 +81,8 @@ void override_glass(Scene& scene, const GlassOverride& wish, Diagnostics& diagno
 
 bool is_environment(const Light& light) {
     return std::holds_alternative<UniformEnvironment>(light) ||
-           std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light);
+           std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light) ||
+           std::holds_alternative<SkyDomePtr>(light);
 }
 
 }  // namespace

@@ -89,8 +89,10 @@ bool brings_light(const Scene& scene, double least_luminance) {
     }
     // Smooth glass and mirrors alone show nothing of a light that has no extent.
     return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
-        const bool extent = std::holds_alternative<UniformEnvironment>(light) ||
-                            std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light);
+        const bool extent =
+            std::holds_alternative<UniformEnvironment>(light) ||
+            std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light) ||
+            std::holds_alternative<SkyDomePtr>(light);
         return extent || something_scatters;
     });
 }

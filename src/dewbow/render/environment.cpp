@@ -65,15 +65,12 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const ImageEnvironment> image)
     mean_y_ = image_->scale * sum / weight;
 }
 
-EnvironmentMap::Place EnvironmentMap::look_up(Vec3 direction) const {
-    const Vec3 d = normalised(local_from_world_.apply_linear(direction));
-    const double theta = std::acos(std::clamp(d.y, -1.0, 1.0));
-    const double x = 0.5 + std::atan2(d.x, -d.z) / (2.0 * kPi);
-    return {x >= 1.0 ? x - 1.0 : x, std::min(theta / kPi, 1.0 - 0x1p-53), std::sin(theta)};
+EquirectangularPlace EnvironmentMap::look_up(Vec3 direction) const {
+    return equirectangular_from_direction(normalised(local_from_world_.apply_linear(direction)));
 }
 
 Colour<LinearSrgb> EnvironmentMap::radiance(Vec3 direction) const {
-    const Place place = look_up(direction);
+    const EquirectangularPlace place = look_up(direction);
     const int width = image_->width, height = image_->height;
     const double x = place.x * width - 0.5, y = place.y * height - 0.5;
     const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -88,21 +85,18 @@ Colour<LinearSrgb> EnvironmentMap::radiance(Vec3 direction) const {
 
 EnvironmentMap::Sample EnvironmentMap::sample(std::array<double, 2> u) const {
     const Distribution2D::Sample s = distribution_.sample(u[0], u[1]);
-    const double theta = kPi * s.y, phi = 2.0 * kPi * (s.x - 0.5);
-    const double sine = std::sin(theta);
-    const Vec3 local{sine * std::sin(phi), std::cos(theta), -sine * std::cos(phi)};
-    const double pdf = sine > 0.0 ? s.pdf / (2.0 * kPi * kPi * sine) : 0.0;
+    const Vec3 local = direction_from_equirectangular(s.x, s.y);
+    const double pdf = pdf_on_sphere(s.pdf, std::sin(kPi * s.y));
     return {normalised(world_from_local_.apply_linear(local)), pdf};
 }
 
 double EnvironmentMap::pdf(Vec3 direction) const {
-    const Place place = look_up(direction);
-    if (place.sin_theta <= 0.0) return 0.0;
-    return distribution_.pdf(place.x, place.y) / (2.0 * kPi * kPi * place.sin_theta);
+    const EquirectangularPlace place = look_up(direction);
+    return pdf_on_sphere(distribution_.pdf(place.x, place.y), place.sin_theta);
 }
 
 std::array<double, 2> EnvironmentMap::place_of(Vec3 direction) const {
-    const Place place = look_up(direction);
+    const EquirectangularPlace place = look_up(direction);
     return distribution_.inverse(place.x, place.y);
 }
 

@@ -5,6 +5,7 @@
 // its brightness.
 
 #include "dewbow/math/distribution.h"
+#include "dewbow/render/equirectangular.h"
 #include "dewbow/scene/light.h"
 
 namespace dewbow {
@@ -27,11 +28,7 @@ public:
     double mean_y() const { return mean_y_; }
 
 private:
-    struct Place {
-        double x, y;  ///< in [0, 1)², from the top left
-        double sin_theta;
-    };
-    Place look_up(Vec3 direction) const;
+    EquirectangularPlace look_up(Vec3 direction) const;
 
     std::shared_ptr<const ImageEnvironment> image_;
     Affine local_from_world_, world_from_local_;

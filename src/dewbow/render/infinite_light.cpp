@@ -24,7 +24,8 @@ double radiance_of_disc(double width) {
 bool InfiniteLight::holds(const Light& light) {
     return std::holds_alternative<DistantLight>(light) ||
            std::holds_alternative<UniformEnvironment>(light) ||
-           std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light);
+           std::holds_alternative<std::shared_ptr<const ImageEnvironment>>(light) ||
+           std::holds_alternative<SkyDomePtr>(light);
 }
 
 InfiniteLight::InfiniteLight(const Light& light) {
@@ -39,6 +40,10 @@ InfiniteLight::InfiniteLight(const Light& light) {
         kind_ = Kind::even;
         spectrum_ = even->radiance;
         irradiance_ = kPi * dewbow::brightness(*spectrum_);
+    } else if (const auto* sky = std::get_if<SkyDomePtr>(&light)) {
+        kind_ = Kind::sky;
+        sky_.emplace(*sky);
+        irradiance_ = kPi * sky_->mean_brightness();
     } else {
         kind_ = Kind::picture;
         map_.emplace(std::get<std::shared_ptr<const ImageEnvironment>>(light));
@@ -56,6 +61,11 @@ std::optional<InfiniteLight::Sample> InfiniteLight::sample(std::array<double, 2>
         }
         case Kind::even:
             return Sample{sample_uniform_sphere<World>(u[0], u[1]).v, pdf_uniform_sphere()};
+        case Kind::sky: {
+            const auto s = sky_->sample(u);
+            if (!s) return std::nullopt;
+            return Sample{s->direction, s->pdf};
+        }
         default: {
             const EnvironmentMap::Sample s = map_->sample(u);
             if (!(s.pdf > 0.0)) return std::nullopt;
@@ -72,6 +82,8 @@ double InfiniteLight::pdf(Vec3 direction) const {
             return pdf_uniform_cone(cone_width_);
         case Kind::even:
             return pdf_uniform_sphere();
+        case Kind::sky:
+            return sky_->pdf(direction);
         default:
             return map_->pdf(direction);
     }
@@ -86,6 +98,8 @@ std::array<double, 2> InfiniteLight::place_of(Vec3 direction) const {
                                             from_axis(Dir<World>{axis_}, Dir<World>{direction}));
         case Kind::even:
             return square_from_uniform_sphere(Dir<World>{direction});
+        case Kind::sky:
+            return sky_->place_of(direction);
         default:
             return map_->place_of(direction);
     }
@@ -93,6 +107,7 @@ std::array<double, 2> InfiniteLight::place_of(Vec3 direction) const {
 
 double InfiniteLight::brightness(Vec3 direction) const {
     if (kind_ == Kind::picture) return xyz_from_rgb(map_->radiance(direction))[1];
+    if (kind_ == Kind::sky) return sky_->brightness(direction);
     return kind_ == Kind::even ? irradiance_ / kPi : factor_ * irradiance_;
 }
 
@@ -108,6 +123,10 @@ void InfiniteLight::radiance(Vec3 direction, const LaneSet& lanes, RgbLightLanes
                              LaneValues& out) const {
     if (kind_ == Kind::picture) {
         rgb.eval(map_->radiance(direction), lanes, out);
+        return;
+    }
+    if (kind_ == Kind::sky) {
+        sky_->sky().radiance_lanes({direction}, lanes.lambdas(), out.first(lanes.count));
         return;
     }
     spectrum_->eval_lanes(lanes.lambdas(), out.first(lanes.count));

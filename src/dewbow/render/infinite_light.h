@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Light from infinitely far: the sun, an even sky, a picture of the surroundings.
+// Light from infinitely far: the sun, the sky, a picture of the surroundings.
 
 #include <optional>
 
 #include "dewbow/render/environment.h"
 #include "dewbow/render/rgb_lanes.h"
+#include "dewbow/render/sky_map.h"
 
 namespace dewbow {
 
-/// A DistantLight, UniformEnvironment or ImageEnvironment.
+/// A DistantLight, UniformEnvironment, ImageEnvironment or SkyDome.
 class InfiniteLight {
 public:
     static bool holds(const Light& light);
@@ -41,7 +42,7 @@ public:
     void radiance(Vec3 direction, const LaneSet& lanes, RgbLightLanes& rgb, LaneValues& out) const;
 
 private:
-    enum class Kind { parallel, disc, even, picture };
+    enum class Kind { parallel, disc, even, picture, sky };
     Kind kind_;
     SpectrumPtr spectrum_;
     double factor_ = 1.0;  ///< from the spectrum to radiance
@@ -49,6 +50,7 @@ private:
     Vec3 axis_;                ///< towards a distant light
     double cone_width_ = 0.0;  ///< 1 − cos of its half angle
     std::optional<EnvironmentMap> map_;
+    std::optional<SkyMap> sky_;
 };
 
 }  // namespace dewbow

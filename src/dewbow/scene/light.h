@@ -9,6 +9,7 @@
 
 #include "dewbow/math/transform.h"
 #include "dewbow/scene/photometric_web.h"
+#include "dewbow/sky/sky_dome.h"
 #include "dewbow/spectrum/colour.h"
 #include "dewbow/spectrum/spectrum.h"
 
@@ -66,7 +67,8 @@ struct ImageEnvironment {
     Transform<World, Object> world_from_object;  ///< a rotation
 };
 
+/// A SkyDomePtr is the light of a sky by direction; its sun or moon is a DistantLight beside it.
 using Light = std::variant<PointLight, SpotLight, ProfileLight, BeamLight, DistantLight,
-                           UniformEnvironment, std::shared_ptr<const ImageEnvironment>>;
+                           UniformEnvironment, std::shared_ptr<const ImageEnvironment>, SkyDomePtr>;
 
 }  // namespace dewbow

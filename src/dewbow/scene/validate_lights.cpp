@@ -61,6 +61,9 @@ struct CheckLight {
             }
         }
     }
+    void operator()(const SkyDomePtr& sky) const {
+        if (!sky) fail(who, "its sky is missing");
+    }
 };
 
 }  // namespace

@@ -43,11 +43,45 @@ private:
     SpectrumPtr white_ = find_illuminant("D65");
 };
 
-MonitorRgb rgb_of_light(const Spectrum& light, const SpectralModel& model) {
-    MonitorRgb rgb = model.rgb(xyz_from_spectrum(light) * (1.0 / cie_y_integral()));
+MonitorRgb rgb_of_light(const Colour<Xyz>& light, const SpectralModel& model) {
+    MonitorRgb rgb = model.rgb(light * (1.0 / cie_y_integral()));
     for (double& channel : rgb.v) channel = std::max(0.0, channel);
     return rgb;
 }
+MonitorRgb rgb_of_light(const Spectrum& light, const SpectralModel& model) {
+    return rgb_of_light(xyz_from_spectrum(light), model);
+}
+
+/// The channels of a sky's light, direction by direction.
+class SkyInChannels : public SkyDome {
+public:
+    SkyInChannels(SkyDomePtr sky, const SpectralModel& model)
+        : sky_(std::move(sky)), model_(model) {
+        for (int i = 0; i < kPlaces; ++i)
+            lambda_nm_[std::size_t(i)] = kLambdaMin_nm + (i + 0.5) * kStep_nm;
+    }
+    void radiance_lanes(Dir<World> direction, std::span<const double> lambda_nm,
+                        std::span<double> out) const override {
+        std::array<double, kPlaces> radiance;
+        sky_->radiance_lanes(direction, lambda_nm_, radiance);
+        Colour<Xyz> xyz{};
+        for (std::size_t i = 0; i < kPlaces; ++i) {
+            const auto bar = cie_xyz_bar(lambda_nm_[i]);
+            for (std::size_t c = 0; c < 3; ++c) xyz.v[c] += radiance[i] * bar[c] * kStep_nm;
+        }
+        const SpectrumPtr channels = make_channels(rgb_of_light(xyz, model_));
+        channels->eval_lanes(lambda_nm, out);
+    }
+    double luminance(Dir<World> direction) const override { return sky_->luminance(direction); }
+
+private:
+    /// Skies are smooth but for lines of the night: 5 nm.
+    static constexpr int kPlaces = 94;
+    static constexpr double kStep_nm = (kLambdaMax_nm - kLambdaMin_nm) / kPlaces;
+    SkyDomePtr sky_;
+    const SpectralModel& model_;
+    std::array<double, kPlaces> lambda_nm_;
+};
 
 /// Puts channels in the place of spectra.
 class ToChannels {
@@ -83,6 +117,9 @@ public:
     void operator()(DistantLight& l) const { light(l.irradiance); }
     void operator()(UniformEnvironment& l) const { light(l.radiance); }
     void operator()(std::shared_ptr<const ImageEnvironment>&) const {}
+    void operator()(SkyDomePtr& sky) const {
+        sky = std::make_shared<SkyInChannels>(std::move(sky), model_);
+    }
 
 private:
     const SpectralModel& model_;
