@@ -15,6 +15,7 @@
 #include "dewbow/scene/rain.h"
 #include "dewbow/scene/rain_settings.h"
 #include "dewbow/scene/shape.h"
+#include "dewbow/sky/aerial.h"
 #include "dewbow/spectrum/wavelengths.h"
 
 namespace dewbow {
@@ -45,6 +46,8 @@ struct Scene {
     std::vector<Shape> shapes;
     std::vector<Light> lights;
     std::vector<Rain> rains;
+    /// The air that fills the surroundings, where distance is to tell; or nullptr.
+    AerialPtr aerial;
     CameraView camera;                ///< takes the picture
     std::vector<CameraView> cameras;  ///< all that a file offers, by name; its own choice first
     Film film;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "dewbow/base/file.h"
 #include "dewbow/import/toml/camera.h"
 #include "dewbow/import/toml/glass.h"
@@ -12,6 +14,7 @@
 #include "dewbow/import/toml/rains.h"
 #include "dewbow/import/toml/settings.h"
 #include "dewbow/import/toml/shapes.h"
+#include "dewbow/import/toml/sky.h"
 #include "dewbow/import/toml/view.h"
 
 namespace dewbow {
@@ -86,20 +89,29 @@ void read_surroundings(const TomlDocument& document, const TomlValue* value, Sce
     table.finish();
 }
 
+bool states(const TomlValue* table, std::string_view key) {
+    if (!table || !table->table()) return false;
+    return std::any_of(table->table()->begin(), table->table()->end(),
+                       [&](const TomlEntry& entry) { return entry.key == key; });
+}
+
 /// A scene that is lit by an import alone has the import's white, unless it states its own.
 void adopt_white(const TomlValue* film, bool lit_itself, const std::vector<Import>& imports,
                  Scene& scene) {
     if (lit_itself) return;
-    if (film && film->table()) {
-        for (const TomlEntry& entry : *film->table()) {
-            if (entry.key == "white_luminance_cd_m2") return;
-        }
-    }
+    if (states(film, "white_luminance_cd_m2")) return;
     for (const Import& import : imports) {
         if (!import.lit) continue;
         scene.film.white_luminance = import.white_luminance;
         return;
     }
+}
+
+/// Skies go from a millionth to a million times of what a film is made for: one that states neither
+/// its exposure nor its white is exposed by the picture.
+void expose_for_sky(const TomlValue* film, Film& settings) {
+    if (!states(film, "exposure_stops") && !states(film, "white_luminance_cd_m2"))
+        settings.exposure = ExposureMode::automatic;
 }
 
 /// @param guest  what the first import holds, if it has been read.
@@ -124,6 +136,10 @@ ParsedScene read_document(const TomlDocument& document, const std::filesystem::p
     Groups groups;
     read_shapes(document, root.find("shapes"), names, folder, scene, groups, parsed.diagnostics);
     read_lights(document, root.find("lights"), folder, scene, parsed.diagnostics);
+    if (const TomlValue* sky = root.find("sky")) {
+        read_sky(document, *sky, scene);
+        expose_for_sky(film, scene.film);
+    }
     const bool lit_itself = brings_light(scene) || groups.bring_light(scene);
     const ImportContext context{names, folder, guest};
     const auto imports =

@@ -22,6 +22,10 @@ struct WrongScene {
 #define BALL "[[shapes]]\ntype = \"sphere\"\nmaterial = \"grey\"\n"
 #define VIEW "[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n"
 
+#define SUN "[sky]\nsun = { altitude_deg = 20, azimuth_deg = 250 }\n"
+#define DATE(date, time) \
+    "[sky]\nsun = { date = " date ", time = \"" time "\", latitude_deg = 48, longitude_deg = 11 }"
+
 constexpr WrongScene kWrongScenes[] = {
     // The document
     {"[camera§\nposition = 1", "not TOML"},
@@ -201,6 +205,38 @@ constexpr WrongScene kWrongScenes[] = {
     {"[[lights]]\ntype = \"environment\"\nradiance = 1\n§file = \"x.exr\"",
      "has both radiance and file"},
     {"[[lights]]\ntype = \"environment\"\nfile = §\"/etc/passwd\"", "/etc/passwd"},
+    // [sky]
+    {"sky = §\"clear\"", "[sky] is the string \"clear\"; expected a table"},
+    {"§[sky]\nvisibility_km = 60", "needs sun = { altitude_deg, azimuth_deg }"},
+    {"[sky]\nkind = §\"overcst\"", "did you mean \"overcast\"?"},
+    {SUN "§visibilty_km = 60", "did you mean \"visibility_km\"?"},
+    {SUN "visibility_km = §0.2", "visibility_km is 0.2; it must be between 1 and 330"},
+    {SUN "visibility_km = 60\n§aerosol_depth = 0.1", "has both visibility_km and aerosol_depth"},
+    {SUN "§moon = { altitude_deg = 20, azimuth_deg = 0 }", "has both sun and moon"},
+    {"§[sky]\nkind = \"night\"\nsun = { altitude_deg = 20, azimuth_deg = 0 }",
+     "is a night and has a sun"},
+    {"§[sky]\nkind = \"overcast\"\nmoon = { altitude_deg = 20, azimuth_deg = 0 }",
+     "is overcast and has a moon"},
+    {"[sky]\nkind = \"overcast\"\nsun = { altitude_deg = 20, azimuth_deg = 0 }\n§ozone_dobson = 1",
+     "unknown key \"ozone_dobson\""},
+    {"[sky]\nsun = §{ altitude_deg = -3.5, azimuth_deg = 0 }",
+     "puts the sun 3.50° below the horizon"},
+    {"[sky]\nmoon = §{ altitude_deg = -1, azimuth_deg = 0 }",
+     "puts the moon 1.00° below the horizon"},
+    {"[sky]\nmoon = { altitude_deg = 1, azimuth_deg = 0, phase_deg = §120 }",
+     "phase_deg is 120; it must be between 0 and 97"},
+    {"[sky]\nsun = { altitude_deg = §91, azimuth_deg = 0 }", "altitude_deg is 91"},
+    {"[sky]\nsun = §{ altitude_deg = 20 }", "needs azimuth_deg"},
+    {"[sky]\nsun = { §date = \"2026-06-21\", altitude_deg = 20, azimuth_deg = 1 }", "needs time"},
+    {DATE("§\"2026-02-29\"", "12:00"), "there is no 29 February in 2026"},
+    {DATE("§\"2026-06-21\"", "25:00"), "there is no 25:00 o'clock"},
+    {"[sky]\nsun = §{ date = \"2026-12-21\", time = \"23:00\", latitude_deg = 48, longitude_deg = "
+     "0 }",
+     "below the horizon"},
+    {SUN "cloud = §{ }", "needs azimuth_deg"},
+    {SUN "cloud = §{ azimuth_deg = 0, bottom_deg = 30, top_deg = 20 }",
+     "the upper edge of a bank of cloud must be above its lower edge"},
+    {SUN "cloud = { azimuth_deg = 0, §softnes_deg = 20 }", "did you mean \"softness_deg\"?"},
     // [surroundings] and [[imports]]
     {"[surroundings]\nglass = §\"watr\"", "water"},
     {"[[imports]]\nfile = §\"other.toml\"", "imports no other scene file"},
