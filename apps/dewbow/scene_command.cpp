@@ -36,7 +36,8 @@ Json json_of(const MaterialFacts& m) {
 Json json_of(const SceneReport& report, const ImportedScene& imported) {
     const Scene& scene = imported.scene;
     Json materials = Json::array(), textures = Json::array(), cameras = Json::array(),
-         ignored = Json::array(), costs = Json::array();
+         ignored = Json::array(), costs = Json::array(), skies = Json::array(),
+         distant = Json::array();
     for (const MaterialFacts& m : report.materials) materials.push_back(json_of(m));
     for (const TextureFacts& t : report.textures)
         textures.push_back({{"name", t.name},
@@ -44,6 +45,13 @@ Json json_of(const SceneReport& report, const ImportedScene& imported) {
                             {"height", t.height},
                             {"bits", t.bits},
                             {"bytes", t.bytes}});
+    for (const SkyFacts& s : report.skies)
+        skies.push_back(
+            {{"illuminance_lx", s.illuminance_lx}, {"zenith_luminance_cd_m2", s.zenith_cd_m2}});
+    for (const DistantFacts& d : report.distant)
+        distant.push_back({{"altitude_deg", d.altitude_deg},
+                           {"azimuth_deg", d.azimuth_deg},
+                           {"illuminance_lx", d.illuminance_lx}});
     for (const CameraView& camera : scene.cameras) cameras.push_back(camera.name);
     for (const Diagnostic& d : imported.diagnostics)
         ignored.push_back({{"place", to_string(d.place)}, {"text", d.text}});
@@ -59,6 +67,8 @@ Json json_of(const SceneReport& report, const ImportedScene& imported) {
             {"materials", materials},
             {"textures", textures},
             {"lights", report.lights},
+            {"skies", skies},
+            {"distant_lights", distant},
             {"cameras", cameras},
             {"camera", scene.camera.name},
             {"film", {{"width", scene.film.width}, {"height", scene.film.height}}},
@@ -119,6 +129,12 @@ std::string text_of(const std::string& file, const SceneReport& report,
                             report.meshes, report.placed_triangles);
     text += fmt::format("size       {}\n", size_text(report.bounds));
     text += fmt::format("lights     {}\n", counts_text(report.lights));
+    for (const SkyFacts& s : report.skies)
+        text += fmt::format("sky        {:.4g} lx on level ground, {:.4g} cd/m² overhead\n",
+                            s.illuminance_lx, s.zenith_cd_m2);
+    for (const DistantFacts& d : report.distant)
+        text += fmt::format("distant    {:.4g} lx, {:.2f}° above the horizon, azimuth {:.2f}°\n",
+                            d.illuminance_lx, d.altitude_deg, d.azimuth_deg);
     text += fmt::format("camera     {} (of {})\n", scene.camera.name, scene.cameras.size());
     text += fmt::format("film       {} x {} pixels\n", scene.film.width, scene.film.height);
     text +=

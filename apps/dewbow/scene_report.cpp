@@ -9,6 +9,8 @@
 #include <set>
 
 #include "dewbow/optics/catalogue.h"
+#include "dewbow/sky/cloud_bank.h"
+#include "dewbow/spectrum/cie.h"
 #include "memory.h"
 
 namespace dewbow {
@@ -33,6 +35,7 @@ struct LightName {
     const char* operator()(const std::shared_ptr<const ImageEnvironment>&) const {
         return "environment picture";
     }
+    const char* operator()(const SkyDomePtr&) const { return "sky"; }
     template <class Other>
     const char* operator()(const Other&) const {
         return "other";
@@ -66,6 +69,7 @@ public:
     SceneReport make() {
         count_shapes();
         for (const Light& light : scene_.lights) ++report_.lights[std::visit(LightName{}, light)];
+        describe_far_lights();
         for (const Material& material : scene_.materials) describe(material);
         count_glowing();
         report_.bounds = bounds_of(scene_);
@@ -87,6 +91,22 @@ private:
         }
         report_.meshes = meshes.size();
         report_.shape_bytes = scene_.shapes.size() * kShapeBytes;
+    }
+
+    void describe_far_lights() {
+        for (const Light& light : scene_.lights) {
+            if (const auto* sky = std::get_if<SkyDomePtr>(&light))
+                report_.skies.push_back(
+                    {illuminance_lx(**sky), (*sky)->luminance({{0.0, 1.0, 0.0}})});
+            const auto* sun = std::get_if<DistantLight>(&light);
+            if (!sun) continue;
+            const Vec3 to = -sun->direction.v;
+            const double azimuth = std::atan2(to.x, -to.z) / unit::deg.to(unit::rad);
+            report_.distant.push_back(
+                {std::asin(std::clamp(to.y, -1.0, 1.0)) / unit::deg.to(unit::rad),
+                 azimuth < 0.0 ? azimuth + 360.0 : azimuth,
+                 kLuminousEfficacy * xyz_from_spectrum(*sun->irradiance)[1]});
+        }
     }
 
     void count_mesh(const Mesh& mesh) {

@@ -29,6 +29,17 @@ struct TextureFacts {
     std::uint64_t bytes = 0;
 };
 
+/// The light of a dome of sky.
+struct SkyFacts {
+    double illuminance_lx = 0.0;  ///< on level ground
+    double zenith_cd_m2 = 0.0;    ///< luminance straight overhead
+};
+/// A distant light: a sun or a moon.
+struct DistantFacts {
+    double altitude_deg = 0.0, azimuth_deg = 0.0;  ///< of where it stands, from north over east
+    double illuminance_lx = 0.0;                   ///< on a surface that faces it
+};
+
 /// Something that costs, and why.
 struct Cost {
     std::string what, why;
@@ -40,6 +51,8 @@ struct SceneReport {
     std::uint64_t triangles = 0;                ///< of these, each once
     std::uint64_t placed_triangles = 0;         ///< of all shapes
     std::map<std::string, std::size_t> lights;  ///< by type; "glowing shape" too
+    std::vector<SkyFacts> skies;
+    std::vector<DistantFacts> distant;
     std::vector<MaterialFacts> materials;
     std::vector<TextureFacts> textures;
     Bounds bounds;  ///< of all but infinite planes, m
