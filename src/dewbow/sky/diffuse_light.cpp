@@ -75,11 +75,18 @@ DEWBOW_SIMD void sum_over_directions(const Directions& all, std::size_t mode, in
 /// far and near side.
 struct Pass {
     double through, far, near;
+    double turn;  ///< radians that the level turns by on the way
 };
-Pass pass_of(double slant_depth) {
+Pass pass_of(double slant_depth, double turn) {
     const double t = slant_depth, e = std::exp(-t);
     const double mean = t > 1e-3 ? (1.0 - e) / t : 1.0 - 0.5 * t + t * t / 6.0;
-    return {e, mean - e, 1.0 - mean};
+    return {e, mean - e, 1.0 - mean, turn};
+}
+
+/// How far the level turns between two heights on a way up whose sine is known on the ground.
+double turn_between(double low_m, double high_m, double sine) {
+    const double middle = std::sqrt(sine * sine + (low_m + high_m) / kSkyRadius_m);
+    return (high_m - low_m) * std::sqrt(1.0 - sine * sine) / (middle * kSkyRadius_m);
 }
 
 /// The air at one wavelength in levels.
@@ -95,7 +102,9 @@ struct Layers {
             const AirParts mass = integrate(rule, diffuse_level_m(k), diffuse_level_m(k + 1),
                                             [](double h) { return air_density(h); });
             for (int i = 0; i < kNodes; ++i)
-                pass[k][i] = pass_of(dot(optics.depth, mass) / directions().sine[i]);
+                pass[k][i] = pass_of(
+                    dot(optics.depth, mass) / directions().sine[i],
+                    turn_between(diffuse_level_m(k), diffuse_level_m(k + 1), directions().sine[i]));
         }
     }
     /// Of the extinction at a level, what air and what haze scatter.
@@ -113,26 +122,26 @@ public:
           albedo_(ground_albedo),
           field_(kDegree + 1) {}
 
-    /// Field of what is scattered for the first time out of a beam.
-    void light_by_beam(const SunPlace& sun, const std::array<double, kLevels>& beam) {
-        std::array<double, kDiffuseHarmonics> towards;
-        legendre_harmonics(kDegree, sun.sine, towards);
-        std::vector<Harmonics> moments(kLevels);
-        for (int m = 0; m <= kDegree; ++m)
-            for (int l = m; l <= kDegree; ++l) {
-                const std::size_t n = harmonic_index(kDegree, m, l);
-                for (int k = 0; k < kLevels; ++k)
-                    moments[k][n] = beam[k] * towards[n] * (m == 0 ? 1.0 : 2.0) / (4.0 * kPi);
-            }
-        scatter(moments, std::max(sun.sine, 0.0) * beam[0]);
-    }
-
     /// The next order: what the field's moments scatter and the ground sends back of `onto_ground`.
     void scatter(const std::vector<Harmonics>& moments, double onto_ground) {
         for (int m = 0; m <= kDegree; ++m) {
             std::array<Ring, kLevels> source;
             for (int k = 0; k < kLevels; ++k) source[k] = source_at(k, m, moments[k]);
             flow(source, m == 0 ? albedo_ / kPi * onto_ground : 0.0, field_[m]);
+        }
+    }
+
+    /// Adds what comes on top since places towards the sun have a higher one, where sources have
+    /// these moments more per radian: times the angle to them, s cos φ.
+    void tilt(const std::vector<Harmonics>& slope) {
+        for (int m = 0; m <= kDegree; ++m) {
+            std::array<Ring, kLevels> source;
+            for (int k = 0; k < kLevels; ++k) source[k] = source_at(k, m, slope[k]);
+            // cos φ cos mφ = (cos (m + 1)φ + cos (m − 1)φ) / 2
+            flow_from_afar(source, [&](int level, int i, double more) {
+                if (m < kDegree) field_[m + 1][level][i] += (m == 0 ? 1.0 : 0.5) * more;
+                if (m > 0) field_[m - 1][level][i] += 0.5 * more;
+            });
         }
     }
 
@@ -189,6 +198,25 @@ private:
             }
     }
 
+    /// Radiance from sources, each times the angle over the sphere to it, given to `add`.
+    template <class Add>
+    void flow_from_afar(const std::array<Ring, kLevels>& source, const Add& add) const {
+        for (int i = 0; i < kDirections; ++i) {
+            const bool up = i < kNodes;
+            double plain = 0.0, afar = 0.0;
+            for (int step = 1; step < kLevels; ++step) {
+                const int level = up ? kLevels - 1 - step : step,
+                          before = up ? level + 1 : level - 1;
+                const Pass& p = layers_.pass[up ? level : before][up ? i : i - kNodes];
+                const double mean = 0.5 * (source[before][i] + source[level][i]);
+                // What the layer itself sends comes from turn · ∫ (τ'/τ) e^−τ' dτ' = turn · far.
+                afar = p.through * (afar + p.turn * plain) + p.turn * p.far * mean;
+                plain = p.through * plain + p.far * source[before][i] + p.near * source[level][i];
+                add(level, i, afar);
+            }
+        }
+    }
+
     Layers layers_;
     PhaseMoments air_, haze_;
     double albedo_;
@@ -228,27 +256,42 @@ PhaseMoments haze_phase_moments(double asymmetry) {
     return moments;
 }
 
+std::vector<Harmonics> beam_moments(const AirOptics& optics, const SunPlace& sun,
+                                    const SunMasses& masses) {
+    Harmonics towards;
+    legendre_harmonics(kDegree, sun.sine, towards);
+    for (int m = 0; m <= kDegree; ++m)
+        for (int l = m; l <= kDegree; ++l)
+            towards[harmonic_index(kDegree, m, l)] *= (m == 0 ? 1.0 : 2.0) / (4.0 * kPi);
+    std::vector<Harmonics> moments(kLevels, Harmonics{});
+    for (int k = 0; k < kLevels; ++k) {
+        const double height = diffuse_level_m(k);
+        const double beam = visible_share_of_sun(height, sun.sine) *
+                            std::exp(-dot(optics.depth, masses.at(height, sun.sine)));
+        for (std::size_t n = 0; n < kDiffuseHarmonics; ++n) moments[k][n] = beam * towards[n];
+    }
+    return moments;
+}
+
 DiffuseField diffuse_field(const AirOptics& optics, double asymmetry, double ground_albedo,
-                           const SunPlace& sun, const SunMasses& masses) {
-    std::array<double, kLevels> beam;
-    for (int k = 0; k < kLevels; ++k)
-        beam[k] = visible_share_of_sun(diffuse_level_m(k), sun.sine) *
-                  std::exp(-dot(optics.depth, masses.at(diffuse_level_m(k), sun.sine)));
+                           const std::vector<Harmonics>& beam, double onto_ground,
+                           const std::vector<Harmonics>& slope) {
     DiffuseField field{std::vector<Harmonics>(kLevels, Harmonics{})};
     Orders orders(optics, asymmetry, ground_albedo);
-    orders.light_by_beam(sun, beam);
+    orders.scatter(beam, onto_ground);
+    if (!slope.empty()) orders.tilt(slope);
     double before = 0.0;
     for (field.orders = 1; field.orders < kMostOrders; ++field.orders) {
         const std::vector<Harmonics> moments = orders.moments();
-        const double onto_ground = orders.ground_irradiance(), now = largest(moments);
+        const double reflected = orders.ground_irradiance(), now = largest(moments);
         const bool last = now < kLastOrder * largest(field.moments);
         // High orders are alike: each is the same share of the one before, and so is their sum.
         const double factor = last ? before / (before - now) : 1.0;
         add(field.moments, factor, moments);
-        field.ground_irradiance += factor * onto_ground;
+        field.ground_irradiance += factor * reflected;
         if (last) break;
         before = now;
-        orders.scatter(moments, onto_ground);
+        orders.scatter(moments, reflected);
     }
     return field;
 }

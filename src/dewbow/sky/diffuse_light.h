@@ -45,13 +45,20 @@ struct DiffuseField {
     Harmonics at(double height_m) const;
 };
 
-/// The field under a sun. Air is level and even; sunlight alone comes to each level along its true
-/// path over a sphere. 12 Gaussian directions a hemisphere; sources are linear in depth between
-/// levels; orders are added until one is below 1 % of their sum, and the rest as a geometric series
-/// (error 1e-4).
+/// Moments of sunlight alone, by level: it comes there along its true path over a sphere.
 /// @param sun  also a little below the horizon.   @param masses  made for a sun within 9° of it.
+std::vector<Harmonics> beam_moments(const AirOptics& optics, const SunPlace& sun,
+                                    const SunMasses& masses);
+
+/// The field under a beam, by successive orders in level air. 12 Gaussian directions a hemisphere;
+/// sources are linear in depth between levels; orders are added until one is below 1 % of their
+/// sum, and the rest as a geometric series (error 1e-4).
+/// @param onto_ground  what the beam brings to level ground.   @param slope  how beam and field
+/// change with the sun's altitude, per radian, or empty: light from places where the sun is higher
+/// or lower is then put right to first order.
 DiffuseField diffuse_field(const AirOptics& optics, double asymmetry, double ground_albedo,
-                           const SunPlace& sun, const SunMasses& masses);
+                           const std::vector<Harmonics>& beam, double onto_ground,
+                           const std::vector<Harmonics>& slope = {});
 
 /// What turns moments into the harmonics of light scattered towards the eye, per optical depth of
 /// scattering: (2l + 1) χ_l for l from 0 to kDiffuseDegree, with χ_l the phase function's moments.

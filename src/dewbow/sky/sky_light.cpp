@@ -13,11 +13,12 @@ namespace {
 /// Of the sun's altitude, to both sides, between which the diffuse field is taken as linear.
 constexpr double kSlopeStep = 1.0 * std::numbers::pi / 180.0;
 
-DiffuseField slope_of(const DiffuseField& lower, const DiffuseField& higher, double step) {
-    DiffuseField slope = higher;
-    for (std::size_t level = 0; level < slope.moments.size(); ++level)
+std::vector<Harmonics> slope_of(const std::vector<Harmonics>& lower,
+                                const std::vector<Harmonics>& higher, double step) {
+    std::vector<Harmonics> slope = higher;
+    for (std::size_t level = 0; level < slope.size(); ++level)
         for (std::size_t n = 0; n < kDiffuseHarmonics; ++n)
-            slope.moments[level][n] = (higher.moments[level][n] - lower.moments[level][n]) / step;
+            slope[level][n] = (higher[level][n] - lower[level][n]) / step;
     return slope;
 }
 
@@ -114,17 +115,32 @@ ClearDay::ClearDay(const ClearSky& sky, const SunPlace& where)
       masses(where.altitude),
       diffuse(kSkyWavelengths),
       diffuse_slope(kSkyWavelengths) {
+    parallel_for(kSkyWavelengths, [&](std::size_t at) { solve(sky, static_cast<int>(at)); });
+}
+
+void ClearDay::solve(const ClearSky& sky, int k) {
+    optics[k] = air_optics(sky, sky_wavelength_nm(k) * unit::nm);
+    const auto ground_of = [&](const SunPlace& place) {
+        return visible_share_of_sun(0.0, place.sine) * std::max(place.sine, 0.0) *
+               std::exp(-dot(optics[k].depth, masses.at(0.0, place.sine)));
+    };
     const SunPlace lower(sun.altitude - kSlopeStep), higher(sun.altitude + kSlopeStep);
-    parallel_for(kSkyWavelengths, [&](std::size_t k) {
-        optics[k] = air_optics(sky, sky_wavelength_nm(static_cast<int>(k)) * unit::nm);
-        const auto field_of = [&](const SunPlace& place) {
-            return diffuse_field(optics[k], asymmetry, sky.ground_albedo, place, masses);
-        };
-        diffuse[k] = field_of(sun);
-        const double beam = sun.sine * std::exp(-dot(optics[k].depth, masses.at(0.0, sun.sine)));
-        ground[k] = sky.ground_albedo / std::numbers::pi * (beam + diffuse[k].ground_irradiance);
-        diffuse_slope[k] = slope_of(field_of(lower), field_of(higher), 2.0 * kSlopeStep);
-    });
+    const auto beam_of = [&](const SunPlace& place) {
+        return beam_moments(optics[k], place, masses);
+    };
+    const auto field_of = [&](const SunPlace& place, const std::vector<Harmonics>& slope = {}) {
+        return diffuse_field(optics[k], asymmetry, sky.ground_albedo, beam_of(place),
+                             ground_of(place), slope);
+    };
+    diffuse_slope[k].moments =
+        slope_of(field_of(lower).moments, field_of(higher).moments, 2.0 * kSlopeStep);
+    std::vector<Harmonics> slope = slope_of(beam_of(lower), beam_of(higher), 2.0 * kSlopeStep);
+    for (std::size_t level = 0; level < slope.size(); ++level)
+        for (std::size_t n = 0; n < kDiffuseHarmonics; ++n)
+            slope[level][n] += diffuse_slope[k].moments[level][n];
+    diffuse[k] = field_of(sun, slope);
+    ground[k] =
+        sky.ground_albedo / std::numbers::pi * (ground_of(sun) + diffuse[k].ground_irradiance);
 }
 
 double azimuth_from(Dir<World> to_sun, Dir<World> direction) {

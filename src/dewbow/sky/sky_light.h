@@ -29,6 +29,9 @@ struct ClearDay {
     std::vector<DiffuseField> diffuse_slope;
     /// What the ground sends back, over the sun's irradiance, sr⁻¹.
     std::array<double, kSkyWavelengths> ground;
+
+private:
+    void solve(const ClearSky& sky, int k);
 };
 
 /// The azimuth of a direction from the sun, radians, 0 to π.
