@@ -171,5 +171,39 @@ TEST(Rain, AHillsShadowCutsTheBow) {
     EXPECT_LT((kSigmas + kPower99) * sums.standard_error(), 0.1);
 }
 
+// Uneven rain: its density is asked at random points, on both ways of the light.
+TEST(Rain, OfUnevenDensityIsTheQuadratureOfTheLaw) {
+    Scene scene = sunny_scene(kAltitude);
+    Chaos sheets;
+    sheets.octaves = 3, sheets.base_frequency = 0.02, sheets.bias = -0.5, sheets.gain = 2.0;
+    scene.rains = {shower(8e-3), fog(4e-3)};
+    scene.rains[0].chaos = sheets;
+    const RainQuadrature law{scene, towards_sun(kAltitude), 1.0};
+    const Ray ray = ray_above_antisolar(kAltitude, 42.0);
+    const MeanSums sums = rain_difference(
+        scene, ray, 20000, [&](double lambda) { return law.sunlight(ray, 600.0, 800.0, lambda); });
+    EXPECT_LT(std::abs(sums.mean()), kSigmas * sums.standard_error() + kQuadrature);
+    EXPECT_LT((kSigmas + kPower99) * sums.standard_error(), 0.05);
+    std::printf("    mean %+.4f +- %.4f\n", sums.mean(), sums.standard_error());
+}
+
+/// Light of radiance 1 from everywhere is as good as nothing changed by thin rain that swallows
+/// nothing: what is lost on the ray comes from elsewhere, but for light that meets two drops.
+TEST(Rain, ThinRainInUniformLightIsNotSeen) {
+    Scene scene = furnace_scene();
+    scene.rains = {rain_in_box(drops(4e-3), {0, 0, -5}, {3, 3, 2})};
+    scene.rains.push_back(scene.rains[0]);
+    for (const bool uneven : {false, true}) {
+        if (uneven) scene.rains[1].chaos = Chaos{};
+        const MeanSums sums =
+            rain_difference(scene, {{0, 0, 0}, {0, 0, -1}, {}}, 20000, [](double) { return 1.0; });
+        // 4 m of 0.008 m⁻¹: 3.2 % are scattered, and of these at most 3.2 % once more.
+        EXPECT_LT(sums.mean(), kSigmas * sums.standard_error());
+        EXPECT_GT(sums.mean(), -0.032 * 0.032 - kSigmas * sums.standard_error());
+        EXPECT_LT((kSigmas + kPower99) * sums.standard_error(), 0.003);
+        std::printf("    mean %+.5f +- %.5f\n", sums.mean(), sums.standard_error());
+    }
+}
+
 }  // namespace
 }  // namespace dewbow
