@@ -16,6 +16,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Random numbers of one sun and the next, and of all other lights.
 constexpr std::uint32_t kNextSun = 0xc2b2ae3du, kOtherLights = 0x27d4eb2fu;
+/// Of the way from the sun to a mirror.
+constexpr std::uint32_t kBehindMirror = 0x165667b1u;
 /// Share of the points at which the direction of skylight is chosen by the drops' phase function,
 /// which the fog's forward peak needs, and not by the sky's brightness.
 constexpr double kByChance = 0.5;
@@ -60,7 +62,7 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     const Weather& weather = *prepared_.weather;
     const RainSun& sun = weather.suns()[sun_index];
     auto& [pieces, light, lanes] = rain_memory();
-    pieces.cut(weather, way, sun.towards);
+    pieces.cut(weather, way, &sun);
     if (pieces.empty()) return;
     const int count = path.lanes.count;
     const double cosine = dot(way.direction, sun.towards);
@@ -85,30 +87,71 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     const Vec3 point = way.origin + way.direction * sample->distance;
     const auto seen = prepared_.lights.infinite()[std::size_t(sun.light)].sample(
         {key_.third(at, Purpose::rain_point), key_.fourth(at, Purpose::rain_point)});
-    if (!seen || prepared_.accelerator.occluded({point, seen->direction, {}}, kInfinity)) return;
+    if (!seen) return;
+    if (sun.mirror) {
+        const auto shares = sun.mirror->reflect(prepared_, {point}, {seen->direction}, key_, at,
+                                                path.lanes, packet_media());
+        if (!shares) return;
+        mirror_in_rain(sun, way, *shares, path.lanes, lanes);
+    } else if (prepared_.accelerator.occluded({point, seen->direction, {}}, kInfinity)) {
+        return;
+    }
     LaneValues radiance;
+    radiance.v.fill(0.0);
+    const auto there = pieces.rains(sample->piece);
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+        if (!there[i].inside) continue;
+        const double density = weather.density(i, point) / weather.usual_density(i);
+        for (int k = 0; k < count; ++k) radiance[k] += lanes[i].source[k] * density;
+    }
     if (!weather.uneven()) {
-        for (int k = 0; k < count; ++k) radiance[k] = sample->source[k] * sample->left[k];
+        for (int k = 0; k < count; ++k) radiance[k] *= sample->left[k];
     } else {
-        for (int k = 0; k < count; ++k) radiance[k] = 0.0;
-        const auto there = pieces.rains(sample->piece);
-        for (std::size_t i = 0; i < lanes.size(); ++i) {
-            if (!there[i].inside) continue;
-            const double density = weather.density(i, point) / weather.usual_density(i);
-            for (int k = 0; k < count; ++k) radiance[k] += lanes[i].source[k] * density;
-        }
         absorb({way.origin, way.direction, sample->distance, at, Purpose::rain_on_flight},
                path.lanes, radiance, path.media);
-        dim(shadow_way(point, sun.towards, kInfinity, at), path.lanes, radiance);
+        dim_to_sun(sun, point, at, path.lanes, radiance);
     }
     add(path, radiance, sample->metres);
+}
+
+/// What each rain sends of the sun's light becomes what it sends of the light that a mirror leaves,
+/// polarised as that is.
+void CameraWalk::mirror_in_rain(const RainSun& sun, const Way& way, const ReflectanceLanes& shares,
+                                const LaneSet& lanes, std::span<RainLight::RainLanes> rains) const {
+    const double cosine = dot(way.direction, sun.towards);
+    std::array<Intensities, kMaxLanes> phase;
+    for (std::size_t i = 0; i < rains.size(); ++i) {
+        prepared_.weather->rains()[i].drops->phase_lanes(
+            cosine, sun.discs[i], lanes.lambdas(),
+            std::span(phase).first(std::size_t(lanes.count)));
+        for (int k = 0; k < lanes.count; ++k) {
+            const auto lane = std::size_t(k);
+            const double even = phase[lane].unpolarised();
+            const double mirrored =
+                sun.mirror->scattered(shares[lane], phase[lane], {-way.direction});
+            rains[i].source[k] *= even > 0.0 ? mirrored / even : 0.0;
+        }
+    }
+}
+
+/// By what the weather leaves of the sun's light on its way to `point`.
+void CameraWalk::dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, const LaneSet& lanes,
+                            LaneValues& radiance) {
+    if (!sun.mirror) {
+        dim(shadow_way(point, sun.towards, kInfinity, at), lanes, radiance);
+        return;
+    }
+    const Vec3 mirror = sun.mirror->place({point}, {sun.towards}).v;
+    dim(shadow_way(point, sun.towards, length(mirror - point), at), lanes, radiance);
+    const Vec3 to_sun = MirroredSun::image_of({sun.towards}).v;
+    dim(shadow_way(mirror, to_sun, kInfinity, at + kBehindMirror), lanes, radiance);
 }
 
 /// All other lights: one point of the flight, as rain dims it, and one direction from there.
 void CameraWalk::sky_in_rain(const SharedPath& path, const Way& way) {
     const Weather& weather = *prepared_.weather;
     auto& [pieces, light, lanes] = rain_memory();
-    pieces.cut(weather, way, std::nullopt);
+    pieces.cut(weather, way, nullptr);
     if (pieces.empty()) return;
     const int count = path.lanes.count;
     lanes.resize(weather.rains().size());

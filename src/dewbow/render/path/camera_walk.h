@@ -59,6 +59,10 @@ private:
     void light_in_haze(const SharedPath& path, const Hit& hit);
     void light_in_rain(const SharedPath& path, const Hit& hit);
     void sun_in_rain(const SharedPath& path, const Way& way, std::size_t sun);
+    void mirror_in_rain(const RainSun& sun, const Way& way, const ReflectanceLanes& shares,
+                        const LaneSet& lanes, std::span<RainLight::RainLanes> rains) const;
+    void dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, const LaneSet& lanes,
+                    LaneValues& radiance);
     void sky_in_rain(const SharedPath& path, const Way& way);
     void direct_light_in_rain(const SharedPath& path, const RainPoint& at, double chance,
                               double u_choice, std::array<double, 2> u);

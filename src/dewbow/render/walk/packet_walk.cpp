@@ -75,7 +75,8 @@ HazeLanes PacketWalk::haze_around(const LaneSet& lanes, MediaStack media) {
 Way PacketWalk::flight(const SharedPath& path, const Hit& hit) {
     const Ray& ray = path.ray;
     if (!path.from_afar)
-        return {ray.origin, ray.direction, hit.t, flight_key(path), Purpose::rain_on_flight};
+        return {ray.origin,       ray.direction,           hit.t,
+                flight_key(path), Purpose::rain_on_flight, !path.scattered};
     return {ray.origin + ray.direction * hit.t, -ray.direction,
             std::numeric_limits<double>::infinity(), flight_key(path), Purpose::rain_on_flight};
 }

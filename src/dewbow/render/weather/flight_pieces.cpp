@@ -6,23 +6,30 @@
 
 namespace dewbow {
 
-void FlightPieces::cut(const Weather& weather, const Way& flight, std::optional<Vec3> towards) {
+void FlightPieces::cut(const Weather& weather, const Way& flight, const RainSun* sun) {
     rains_ = weather.rains().size();
     edges_.clear(), there_.clear();
     inside_.resize(rains_), to_light_.resize(rains_);
-    LineInterval whole{std::numeric_limits<double>::infinity(), 0.0};
+    LineInterval lit{0.0, flight.length}, whole{std::numeric_limits<double>::infinity(), 0.0};
+    if (sun && sun->mirror) {
+        const auto above = sun->mirror->above({flight.origin}, {flight.direction}, lit);
+        if (!above) return;
+        lit = *above;
+    }
     for (std::size_t i = 0; i < rains_; ++i) {
         inside_[i].clear(), to_light_[i].clear();
         weather.cut(i, flight, inside_[i]);
-        for (const LineInterval& in : inside_[i]) {
+        for (const LineInterval& all : inside_[i]) {
+            const LineInterval in{std::max(all.begin, lit.begin), std::min(all.end, lit.end)};
+            if (!(in.begin < in.end)) continue;
             whole = {std::min(whole.begin, in.begin), std::max(whole.end, in.end)};
             edges_.insert(edges_.end(), {in.begin, in.end});
         }
     }
     if (edges_.empty()) return;
-    if (towards) {
+    if (sun) {
         for (std::size_t i = 0; i < rains_; ++i) {
-            weather.lengths_towards(i, flight, whole, *towards, to_light_[i]);
+            weather.lengths_towards(i, flight, whole, *sun, to_light_[i]);
             for (const LengthPiece& piece : to_light_[i]) edges_.push_back(piece.begin);
         }
     }

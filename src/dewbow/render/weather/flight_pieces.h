@@ -22,9 +22,9 @@ public:
         double rate;      ///< by how much both together grow a metre
     };
 
-    /// Between the first and the last point of the flight that any rain holds.
-    /// @param towards  a light infinitely far; nothing: light comes to each point undimmed.
-    void cut(const Weather& weather, const Way& flight, std::optional<Vec3> towards);
+    /// Between the first and the last point of the flight that any rain holds, and that may be lit.
+    /// @param sun  nullptr: light comes to each point undimmed.
+    void cut(const Weather& weather, const Way& flight, const RainSun* sun);
 
     bool empty() const { return edges_.size() < 2; }
     std::size_t size() const { return empty() ? 0 : edges_.size() - 1; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dewbow/render/prepared_scene.h"
 #include "dewbow/render/vertex.h"
 #include "dewbow/sky/mirrored_way.h"
 
@@ -60,7 +61,7 @@ std::optional<ReflectanceLanes> MirroredSun::reflect(const PreparedScene& prepar
                                                      const SampleKey& key, std::uint32_t vertex,
                                                      const LaneSet& lanes,
                                                      PacketMedia& media) const {
-    Ray ray{point.v, {to_sun.v.x, -to_sun.v.y, to_sun.v.z}, {}};
+    Ray ray{point.v, image_of(to_sun).v, {}};
     const Hit hit = nearest(prepared, ray);
     if (!hit) return std::nullopt;
     const Vertex mirror = vertex_at(prepared, ray, hit);

@@ -7,12 +7,14 @@
 
 #include <optional>
 
+#include "dewbow/base/random.h"
 #include "dewbow/rainbow/scattering.h"
-#include "dewbow/render/prepared_scene.h"
 #include "dewbow/render/weather/level_mirrors.h"
 #include "dewbow/scene/rain_inside.h"
 
 namespace dewbow {
+
+struct PreparedScene;
 
 class MirroredSun {
 public:
@@ -20,7 +22,13 @@ public:
     MirroredSun(Dir<World> to_sun, double height_m) : to_sun_(to_sun), height_m_(height_m) {}
 
     /// Towards the image: downwards.
-    Dir<World> direction() const { return {{to_sun_.v.x, -to_sun_.v.y, to_sun_.v.z}}; }
+    Dir<World> direction() const { return image_of(to_sun_); }
+    /// Where the mirror shows what lies in a direction.
+    static Dir<World> image_of(Dir<World> d) { return {{d.v.x, -d.v.y, d.v.z}}; }
+    /// The place of the mirror that a point sees in a direction.
+    Point<World> place(Point<World> point, Dir<World> downwards) const {
+        return along(point, downwards, (point.v.y - height_m_) / -downwards.v.y);
+    }
 
     /// The part of `on` of a line that lies above the mirror.
     std::optional<LineInterval> above(Point<World> origin, Dir<World> direction,

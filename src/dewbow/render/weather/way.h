@@ -12,6 +12,9 @@ struct Way {
     double length;           ///< m; infinite to what is infinitely far
     std::uint32_t at;        ///< the vertex, of SampleKey
     Purpose purpose;
+    /// Whether one looks at what lies infinitely far, and it is not light that falls on something:
+    /// rain without end hides the one and does not dim the other (docs/conventions.md).
+    bool seen = false;
 };
 
 }  // namespace dewbow

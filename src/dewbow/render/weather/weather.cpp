@@ -7,6 +7,7 @@
 #include "dewbow/render/infinite_light.h"
 #include "dewbow/render/weather/uneven_rain.h"
 #include "dewbow/sky/drop_cloud.h"
+#include "dewbow/sky/length_pieces.h"
 
 namespace dewbow {
 
@@ -45,6 +46,19 @@ Weather::Weather(const Scene& scene) : rains_(scene.rains) {
             suns_.push_back(rain_sun(*distant, index, rains_));
         index += InfiniteLight::holds(light);
     }
+    if (!scene.render.rain.multiple()) add_images(scene);
+}
+
+void Weather::add_images(const Scene& scene) {
+    const std::vector<RainSun> suns = suns_;
+    for (const double height_m : level_mirrors(scene)) {
+        for (RainSun sun : suns) {
+            if (!(sun.towards.y > 0.0)) continue;
+            sun.mirror.emplace(Dir<World>{sun.towards}, height_m);
+            sun.towards = sun.mirror->direction().v;
+            suns_.push_back(std::move(sun));
+        }
+    }
 }
 
 double Weather::density(std::size_t rain, Vec3 point) const {
@@ -55,9 +69,21 @@ void Weather::cut(std::size_t rain, const Way& way, std::vector<LineInterval>& i
     inside_[rain].cut({way.origin}, {way.direction}, way.length, inside);
 }
 
-void Weather::lengths_towards(std::size_t rain, const Way& way, LineInterval on, Vec3 towards,
+void Weather::lengths_towards(std::size_t rain, const Way& way, LineInterval on, const RainSun& sun,
                               std::vector<LengthPiece>& pieces) const {
-    inside_[rain].lengths_towards({way.origin}, {way.direction}, on, {towards}, pieces);
+    const Point<World> origin{way.origin};
+    const Dir<World> direction{way.direction};
+    if (sun.mirror) {
+        sun.mirror->lengths(inside_[rain], origin, direction, on, pieces);
+    } else {
+        inside_[rain].lengths_towards(origin, direction, on, {sun.towards}, pieces);
+        drop_endless(pieces);
+    }
+}
+
+double Weather::length_that_dims(std::size_t rain, const Way& way) const {
+    const double length = inside_[rain].length_inside({way.origin}, {way.direction}, way.length);
+    return std::isfinite(length) || way.seen ? length : 0.0;
 }
 
 void Weather::dim(const Way& way, PacketWeather& packet, const LaneSet& lanes, const SampleKey& key,
@@ -67,7 +93,7 @@ void Weather::dim(const Way& way, PacketWeather& packet, const LaneSet& lanes, c
             dim_uneven(i, way, packet.rain(i), lanes, key, values);
             continue;
         }
-        const double length = inside_[i].length_inside({way.origin}, {way.direction}, way.length);
+        const double length = length_that_dims(i, way);
         if (length == 0.0) continue;
         const PacketWeather::RainLanes& rain = packet.rain(i);
         for (int k = 0; k < lanes.count; ++k) {
@@ -82,6 +108,7 @@ void Weather::dim_uneven(std::size_t rain, const Way& way, const PacketWeather::
     thread_local std::vector<LineInterval> inside;
     inside.clear();
     cut(rain, way, inside);
+    if (!way.seen && !inside.empty() && std::isinf(inside.back().end)) return;
     LaneValues extinction;
     for (int k = 0; k < lanes.count; ++k)
         extinction[k] = drops.extinction[std::size_t(lanes.id[std::size_t(k)])];

@@ -24,7 +24,9 @@ public:
     explicit Weather(const Scene& scene);
 
     std::span<const Rain> rains() const { return rains_; }
-    /// The scene's distant lights, in its order.
+    /// The scene's distant lights, in its order, and then what level mirrors show of them. Where
+    /// orders of light in rain above the first are looked for, those images are left out: paths
+    /// that drops have turned find them.
     std::span<const RainSun> suns() const { return suns_; }
     /// Whether any rain's density changes from place to place.
     bool uneven() const { return uneven_; }
@@ -35,7 +37,7 @@ public:
 
     /// Where the i-th rain is on `way`, and how far it is in it towards a light.
     void cut(std::size_t rain, const Way& way, std::vector<LineInterval>& inside) const;
-    void lengths_towards(std::size_t rain, const Way& way, LineInterval on, Vec3 towards,
+    void lengths_towards(std::size_t rain, const Way& way, LineInterval on, const RainSun& sun,
                          std::vector<LengthPiece>& pieces) const;
 
     /// Multiplies `values` by what the weather leaves of light on `way`: an unbiased estimate of
@@ -44,6 +46,8 @@ public:
              LaneValues& values) const;
 
 private:
+    void add_images(const Scene& scene);
+    double length_that_dims(std::size_t rain, const Way& way) const;
     void dim_uneven(std::size_t rain, const Way& way, const PacketWeather::RainLanes& drops,
                     const LaneSet& lanes, const SampleKey& key, LaneValues& values) const;
 
