@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "dewbow/sky/sunlight.h"
+
 namespace dewbow {
 namespace {
 
@@ -64,7 +66,7 @@ AirParts air_mass_to_space(double height_m, double sin_altitude) {
 }
 
 double visible_share_of_sun(double height_m, double sin_altitude) {
-    constexpr double kRadius = 0.2666 * std::numbers::pi / 180.0;
+    constexpr double kRadius = kSunRadius.to(unit::rad);
     const double dip = std::acos(kSkyRadius_m / (kSkyRadius_m + height_m));
     const double above = (std::asin(std::clamp(sin_altitude, -1.0, 1.0)) + dip) / kRadius;
     if (above >= 1.0) return 1.0;

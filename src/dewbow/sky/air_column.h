@@ -44,7 +44,7 @@ AirParts air_density(double height_m);
 /// Error against a fine quadrature: 1e-3.
 AirParts air_mass_to_space(double height_m, double sin_altitude);
 
-/// Share of the sun's disc (radius 0.2666°) above the sphere's edge, as seen from a height; smooth
+/// Share of the sun's disc above the sphere's edge, as seen from a height; smooth
 /// over the disc.   @param sin_altitude  of its centre.
 double visible_share_of_sun(double height_m, double sin_altitude);
 

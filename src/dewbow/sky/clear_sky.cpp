@@ -21,7 +21,6 @@ namespace dewbow {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLumenPerWatt = 683.002;
 
 SunPlace sun_place(Dir<World> to_sun) {
     if (!(to_sun.v.y >= 0.0))
@@ -58,7 +57,7 @@ std::vector<double> luminance_weights(const Spectrum& light) {
     for (double nm = kLambdaMin_nm; nm <= kLambdaMax_nm; nm += 1.0) {
         const double x = (nm - kLambdaMin_nm) / SkyTable::kFineStep_nm;
         const int k = std::min(static_cast<int>(x), SkyTable::kFineWavelengths - 2);
-        const double w = kLumenPerWatt * cie_xyz_bar(nm)[1] * light(nm * unit::nm);
+        const double w = kLuminousEfficacy * cie_xyz_bar(nm)[1] * light(nm * unit::nm);
         weights[k] += (k + 1 - x) * w;
         weights[k + 1] += (x - k) * w;
     }

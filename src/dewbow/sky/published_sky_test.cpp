@@ -9,8 +9,8 @@
 
 #include "dewbow/sky/air_optics.h"
 #include "dewbow/sky/clear_sky.h"
+#include "dewbow/sky/sunlight.h"
 #include "dewbow/spectrum/cie.h"
-#include "dewbow/spectrum/illuminant.h"
 
 namespace dewbow {
 namespace {
@@ -18,7 +18,6 @@ namespace {
 using namespace unit;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kLumenPerWatt = 683.002;
 
 /// Azimuth from the sun.
 Dir<World> towards(double altitude_deg, double azimuth_deg) {
@@ -26,20 +25,14 @@ Dir<World> towards(double altitude_deg, double azimuth_deg) {
     return {{std::cos(h) * std::sin(a), std::sin(h), -std::cos(h) * std::cos(a)}};
 }
 
-/// The sun above the atmosphere: 133.1 klx.        [Darula, Kittler & Gueymard, Solar Energy 79,
-/// 559 (2005)]
-SpectrumPtr sun_above() {
-    return make_scaled(find_illuminant("sun-am0"), 133.1e3 / (kLumenPerWatt * cie_y_integral()));
-}
-
 double illuminance(const Spectrum& irradiance) {
-    return kLumenPerWatt * xyz_from_spectrum(irradiance)[1];
+    return kLuminousEfficacy * xyz_from_spectrum(irradiance)[1];
 }
 
 ClearSkyDomePtr sky_of_haze(double depth_500nm, double sun_deg) {
     ClearSky sky;
     sky.aerosol_depth_500nm = depth_500nm;
-    return make_clear_sky_dome(sky, towards(sun_deg, 0), sun_above());
+    return make_clear_sky_dome(sky, towards(sun_deg, 0), make_sunlight_above());
 }
 
 TEST(PublishedSky, LightsTheGroundAsIesClearSky) {
@@ -86,7 +79,7 @@ TEST(PublishedSky, IsDistributedAsCieStandardClearSky) {
         return 0.91 + 10.0 * std::exp(-3.0 * chi) + 0.45 * std::cos(chi) * std::cos(chi);
     };
     for (const double h : {20.0, 60.0}) {
-        const ClearSkyDomePtr dome = make_clear_sky_dome(sky, towards(h, 0), sun_above());
+        const ClearSkyDomePtr dome = make_clear_sky_dome(sky, towards(h, 0), make_sunlight_above());
         const double zenith = dome->luminance(towards(90, 0));
         for (const double gamma : {1.0, 5.0, 10.0, 30.0, 60.0})
             for (const double azimuth : {90.0, 135.0, 180.0}) {

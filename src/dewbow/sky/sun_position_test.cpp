@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/sky/sun_position.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -102,7 +103,7 @@ TEST(ParseDateTime, RefusesWhatTheCalendarHasNot) {
     for (const char* none : {"", "2026", "2026-06", "2026-6.5-1", "21.6.2026", "2026-06-21-1",
                              "2026-06-21 ", "-2026-06-21", "2026-nan-01"})
         EXPECT_EQ(refusal(none, "12:00"),
-                  "\"" + std::string(none) + "\" is no date; expected one like \"2026-06-21\"");
+                  fmt::format("\"{}\" is no date; expected one like \"2026-06-21\"", none));
     EXPECT_EQ(refusal("2026-06-21", "24:00"),
               "there is no 24:00 o'clock; expected \"00:00\" to \"23:59\"");
     EXPECT_EQ(refusal("2026-06-21", "12:60"),

@@ -92,9 +92,10 @@ ClearSky read_air(Table& table) {
     air.pressure_hPa = table.number("pressure_hPa", {100.0, 1100.0}, air.pressure_hPa);
     air.angstrom_exponent = table.number("angstrom_exponent", {-1.0, 4.0}, air.angstrom_exponent);
     air.aerosol_albedo = table.number("aerosol_albedo", kShareRange, air.aerosol_albedo);
-    air.aerosol_asymmetry = table.number("aerosol_asymmetry", {0.0, 0.85}, air.aerosol_asymmetry);
+    air.aerosol_asymmetry = table.number("aerosol_asymmetry", {0.0, 0.8}, air.aerosol_asymmetry);
     air.ozone_dobson = table.number("ozone_dobson", {0.0, 700.0}, air.ozone_dobson);
     air.ground_albedo = table.number("ground_albedo", kShareRange, air.ground_albedo);
+    air.eye_height_m = table.number("eye_height_m", {0.0, 12e3}, air.eye_height_m);
     table.at_most_one_of({"visibility_km", "aerosol_depth"});
     air.aerosol_depth_500nm = table.number("aerosol_depth", {0.0, 5.0}, air.aerosol_depth_500nm);
     if (const TomlValue* visibility = table.find("visibility_km")) {

@@ -43,6 +43,15 @@ TEST(SkyToml, AClearSkyIsADomeAndASun) {
     EXPECT_EQ(scene.film.exposure, ExposureMode::automatic);
 }
 
+TEST(SkyToml, ASkyIsSeenFromAHeight) {
+    const std::string sun = "[sky]\nsun = { altitude_deg = 30, azimuth_deg = 90 }\n";
+    const Dir<World> down{normalised({0.0, -0.0175, 1.0})};
+    // At 4 km the horizon lies 1.9° below the level, and 1° below is sky.
+    const double ground = dome_of(scene_of(sun)).luminance(down);
+    const double haze = dome_of(scene_of(sun + "eye_height_m = 4000\n")).luminance(down);
+    EXPECT_GT(haze, 1.5 * ground);
+}
+
 TEST(SkyToml, TheSunStandsByDateTimeAndPlace) {
     // The published example of sun_position_test.cpp, in thicker air.
     const Scene scene = scene_of(
