@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "dewbow/base/error.h"
 #include "dewbow/rainbow/angle_grid.h"
@@ -168,6 +169,14 @@ void check(const DropCloudRequest& request) {
                         "sides",
                         request.model),
             "auto, mie, debye and descartes know all angles");
+    for (const DropSizesPtr& sizes : request.showers) {
+        const Length radius = effective_radius(*sizes);
+        if (radius <= kLargestRaindrop) continue;
+        throw InputError(
+            fmt::format("drops have an effective radius of {:.4g} mm; those beyond {:.4g} mm break "
+                        "up as they fall",
+                        radius.to(mm), kLargestRaindrop.to(mm)));
+    }
 }
 
 /// @param section  geometric cross section of the drops in a cubic metre, m⁻¹.
@@ -208,61 +217,93 @@ double DropCloud::sample_cosine(double u) const {
 
 double DropCloud::cosine_pdf(double cosine) const { return density_[angles_->find(cosine).cell]; }
 
+/// Makes the parts of a cloud, one after the other.
+class DropCloudMaker {
+public:
+    DropCloudMaker(const DropCloudRequest& request, const std::filesystem::path& cache)
+        : request_(request), made_(table_of(request, cache)), whole_(from_zero(made_.table)) {
+        cloud_.angles_ = std::make_shared<const AngleIndex>(whole_.angles);
+        shares_ = scattered_shares(*cloud_.angles_, whole_.values);
+    }
+
+    DropCloud make() {
+        set_amount();
+        set_phases();
+        set_sampling();
+        cloud_.report_ = made_.table.report;
+        cloud_.note_ = made_.note;
+        return std::move(cloud_);
+    }
+
+private:
+    /// Extinction over the geometric cross section.
+    double efficiency(std::size_t j) const {
+        if (!request_.orders.empty()) return 1.0;
+        const Efficiencies& q = made_.table.efficiencies[j];
+        return q.extinction - q.scattering + shares_[j] * q.scattering;
+    }
+
+    void set_amount() {
+        VisibleValues efficiencies;
+        for (std::size_t j = 0; j < kCount; ++j) {
+            efficiencies[j] = efficiency(j);
+            const double scattering = shares_[j] * made_.table.efficiencies[j].scattering;
+            cloud_.albedo_[j] = std::min(scattering / efficiencies[j], 1.0);
+        }
+        const double section =
+            cross_section_per_volume(request_.amount, request_.showers,
+                                     interpolated(efficiencies, kExtinctionWavelength.to(nm)));
+        check_water(section, request_.showers);
+        for (std::size_t j = 0; j < kCount; ++j) cloud_.extinction_[j] = section * efficiencies[j];
+        cloud_.drops_per_m3_ = section * number_per_cross_section(request_.showers);
+        cloud_.rain_rate_mm_per_h_ = section * rain_rate_per_cross_section(request_.showers);
+        cloud_.identity_ = fmt::format("{}{}", made_.identity, section);
+    }
+
+    void set_phases() {
+        for (std::size_t i = 0; i < whole_.values.size(); ++i) {
+            const double per_sr = 1.0 / (4.0 * kPi * shares_[i % kCount]);
+            whole_.values[i].perpendicular *= per_sr;
+            whole_.values[i].parallel *= per_sr;
+        }
+        add_phase({Angle{}, 0.0}, whole_.values);
+        cloud_.point_ = std::make_shared<PointPhase>(cloud_.phases_.front());
+        std::vector<Intensities> smooth(whole_.values.size());
+        for (const SunDisc& disc : request_.discs) {
+            if (disc.radius == Angle{}) continue;
+            SunSmoother(whole_.angles, disc).apply(whole_.values, smooth);
+            add_phase(disc, smooth);
+        }
+    }
+    void add_phase(const SunDisc& disc, std::span<const Intensities> values) {
+        cloud_.discs_.push_back(disc);
+        cloud_.phases_.emplace_back(cloud_.angles_, values);
+        cloud_.identity_ += fmt::format(" {} {}", disc.radius.to(rad), disc.limb_darkening);
+    }
+
+    void set_sampling() {
+        const AngleIndex& angles = *cloud_.angles_;
+        const std::vector<double> white = white_shares(angles, whole_.values);
+        const double sum = std::accumulate(white.begin(), white.end(), 0.0);
+        cloud_.below_ = {0.0};
+        for (std::size_t i = 0; i < white.size(); ++i) {
+            const double share = white[i] / sum;
+            cloud_.below_.push_back(cloud_.below_.back() + share);
+            const double around = 2.0 * kPi * (angles.cosine(i) - angles.cosine(i + 1));
+            cloud_.density_.push_back(share / around);
+        }
+    }
+
+    const DropCloudRequest& request_;
+    const MadeTable made_;
+    WholePhase whole_;
+    VisibleValues shares_;
+    DropCloud cloud_;
+};
+
 DropCloudPtr make_drop_cloud(const DropCloudRequest& request, const std::filesystem::path& cache) {
     check(request);
-    const MadeTable made = table_of(request, cache);
-    const ScatteringTable& table = made.table;
-    WholePhase whole = from_zero(table);
-    std::shared_ptr<DropCloud> cloud(new DropCloud);
-    cloud->angles_ = std::make_shared<const AngleIndex>(whole.angles);
-    const VisibleValues shares = scattered_shares(*cloud->angles_, whole.values);
-
-    VisibleValues efficiency;
-    for (std::size_t j = 0; j < kCount; ++j) {
-        const Efficiencies& q = table.efficiencies[j];
-        const double scattering = shares[j] * q.scattering;
-        efficiency[j] = request.orders.empty() ? q.extinction - q.scattering + scattering : 1.0;
-        cloud->albedo_[j] = std::min(scattering / efficiency[j], 1.0);
-    }
-    const double section = cross_section_per_volume(
-        request.amount, request.showers, interpolated(efficiency, kExtinctionWavelength.to(nm)));
-    check_water(section, request.showers);
-    for (std::size_t j = 0; j < kCount; ++j) cloud->extinction_[j] = section * efficiency[j];
-    cloud->drops_per_m3_ = section * number_per_cross_section(request.showers);
-    cloud->rain_rate_mm_per_h_ = section * rain_rate_per_cross_section(request.showers);
-
-    for (std::size_t i = 0; i < whole.values.size(); ++i) {
-        const double per_sr = 1.0 / (4.0 * kPi * shares[i % kCount]);
-        whole.values[i].perpendicular *= per_sr;
-        whole.values[i].parallel *= per_sr;
-    }
-    cloud->discs_ = {{Angle{}, 0.0}};
-    cloud->phases_.emplace_back(cloud->angles_, whole.values);
-    cloud->point_ = std::make_shared<PointPhase>(cloud->phases_.front());
-    std::vector<Intensities> smooth(whole.values.size());
-    for (const SunDisc& disc : request.discs) {
-        if (disc.radius == Angle{}) continue;
-        SunSmoother(whole.angles, disc).apply(whole.values, smooth);
-        cloud->discs_.push_back(disc);
-        cloud->phases_.emplace_back(cloud->angles_, smooth);
-    }
-
-    const std::vector<double> white = white_shares(*cloud->angles_, whole.values);
-    cloud->below_ = {0.0};
-    double sum = 0.0;
-    for (const double share : white) sum += share;
-    for (std::size_t i = 0; i < white.size(); ++i) {
-        const double share = white[i] / sum;
-        cloud->below_.push_back(cloud->below_.back() + share);
-        cloud->density_.push_back(
-            share / (2.0 * kPi * (cloud->angles_->cosine(i) - cloud->angles_->cosine(i + 1))));
-    }
-    cloud->report_ = table.report;
-    cloud->note_ = made.note;
-    cloud->identity_ = fmt::format("{}{}", made.identity, section);
-    for (const SunDisc& disc : cloud->discs_)
-        cloud->identity_ += fmt::format(" {} {}", disc.radius.to(rad), disc.limb_darkening);
-    return cloud;
+    return std::make_shared<const DropCloud>(DropCloudMaker(request, cache).make());
 }
 
 }  // namespace dewbow

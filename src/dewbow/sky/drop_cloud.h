@@ -84,8 +84,7 @@ public:
     const std::string& identity() const { return identity_; }
 
 private:
-    friend std::shared_ptr<const DropCloud> make_drop_cloud(const DropCloudRequest& request,
-                                                            const std::filesystem::path& cache);
+    friend class DropCloudMaker;
     DropCloud() = default;
 
     std::vector<SunDisc> discs_;
