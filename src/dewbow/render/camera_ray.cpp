@@ -16,6 +16,9 @@ CameraRays::CameraRays(const Scene& scene)
       width_(scene.film.width),
       height_(scene.film.height) {
     if (scene.camera.lens) lens_.emplace(*scene.camera.lens);
+    if (scene.camera.polariser)
+        polariser_.emplace(*scene.camera.polariser, world_from_camera_,
+                           std::holds_alternative<Panorama>(projection_));
     if (stereo_ && stereo_->layout == StereoLayout::side_by_side) width_ /= 2.0;
     if (stereo_ && stereo_->layout == StereoLayout::over_under) height_ /= 2.0;
     if (const auto* perspective = std::get_if<Perspective>(&projection_))

@@ -13,6 +13,7 @@
 #include "dewbow/render/ray.h"
 #include "dewbow/render/thin_lens.h"
 #include "dewbow/scene/scene.h"
+#include "dewbow/sky/polariser.h"
 
 namespace dewbow {
 
@@ -63,13 +64,15 @@ public:
     double pixels_per_m2(Vec3 origin, Vec3 point) const;
     /// Calls `add(x, y, weight)` for each pixel whose filter holds the film's point `at`, with the
     /// filter's density there, in pixels⁻²: so that splats at density 1 a pixel bring the mean that
-    /// samples of ray() bring. A pixel of a panorama may be called more than once.
+    /// samples of ray() bring. A pixel of a panorama may be called more than once. A polariser
+    /// takes its share of the weight.
     template <class Add>
     void for_each_pixel(const Seen& at, Add&& add) const;
 
     /// What the depth layer holds for a point, in m: along the axis from the camera's plane; of a
     /// panorama, the distance.
     double depth_of(Vec3 point) const;
+    const std::optional<Polariser>& polariser() const { return polariser_; }
     /// Unit vector straight ahead.
     Vec3 axis() const { return axis_; }
     /// The middle between the eyes of a pair; the middle of an orthographic picture's plane.
@@ -95,6 +98,7 @@ private:
     Projection projection_;
     std::optional<ThinLensOptics> lens_;
     std::optional<StereoPair> stereo_;
+    std::optional<Polariser> polariser_;
     Transform<World, Camera> world_from_camera_;
     Vec3 position_, axis_;
     double half_width_ = 0.0, half_height_ = 0.0;  // perspective: at distance 1; else in m
@@ -108,6 +112,7 @@ template <class Add>
 void CameraRays::for_each_pixel(const Seen& at, Add&& add) const {
     const bool around = std::holds_alternative<Panorama>(projection_);
     const int columns = at.frame.width(), rows = at.frame.height();
+    const double passes = polariser_ ? kPolariserShare : 1.0;
     filter_.for_each_cell(at.y, [&](int y, double weight_y) {
         // Beyond a pole the way goes on over it, half a turn away.
         int row = y;
@@ -118,7 +123,7 @@ void CameraRays::for_each_pixel(const Seen& at, Add&& add) const {
         filter_.for_each_cell(over ? at.x + 0.5 * columns : at.x, [&](int x, double weight_x) {
             const int column = around ? modulo(x, columns) : x;
             if (column >= at.frame.x0 && column < at.frame.x1)
-                add(column, row, weight_x * weight_y);
+                add(column, row, weight_x * weight_y * passes);
         });
     });
 }

@@ -2,6 +2,7 @@
 #include "dewbow/render/distributed_1989/distributed_1989.h"
 
 #include "dewbow/base/check.h"
+#include "dewbow/base/error.h"
 #include "dewbow/render/distributed_1989/ray_tree.h"
 
 namespace dewbow {
@@ -22,7 +23,12 @@ Workspace& workspace_of(const Method& method) {
 
 class Distributed1989Estimator : public Estimator {
 public:
-    explicit Distributed1989Estimator(const Scene& scene) : method_(scene) {}
+    explicit Distributed1989Estimator(const Scene& scene) : method_(scene) {
+        if (scene.camera.polariser)
+            throw InputError(
+                "the camera has a polariser, and distributed_1989 knows no polarised light",
+                "the estimators path and caustics do");
+    }
 
     void render(const Unit& unit, FilmSums& film) const override {
         const std::uint64_t seed = method_.prepared().scene.render.seed;

@@ -22,13 +22,16 @@ constexpr std::uint32_t kBehindMirror = 0x165667b1u;
 /// which the fog's forward peak needs, and not by the sky's brightness.
 constexpr double kByChance = 0.5;
 
-/// p at each lane, per sr, without regard to polarisation.
+/// p at each lane, per sr.
+/// @param perpendicular  how much of the light counts that is polarised so, and 1 minus it of the
+/// parallel light: half and half without regard to polarisation.
 void phase_at(const DropCloud& drops, double cosine, std::size_t disc, const LaneSet& lanes,
-              LaneValues& out) {
+              LaneValues& out, double perpendicular = 0.5) {
     std::array<Intensities, kMaxLanes> p;
     drops.phase_lanes(cosine, disc, lanes.lambdas(), std::span(p).first(std::size_t(lanes.count)));
     for (int k = 0; k < lanes.count; ++k)
-        out[k] = 0.5 * (p[std::size_t(k)].perpendicular + p[std::size_t(k)].parallel);
+        out[k] = perpendicular * p[std::size_t(k)].perpendicular +
+                 (1.0 - perpendicular) * p[std::size_t(k)].parallel;
 }
 
 /// Of a rain's lanes, those that a path carries.
@@ -67,12 +70,18 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     const int count = path.lanes.count;
     const double cosine = dot(way.direction, sun.towards);
     const LaneValues irradiance = carried(packet_weather().sun(sun_index), path.lanes);
+    // A bow seen behind glass or in a mirror counts as light without polarisation.
+    const auto& polariser = prepared_.camera.polariser();
+    const double perpendicular = polariser && path.sees_start()
+                                     ? polariser->perpendicular_share(way.direction, sun.towards)
+                                     : 0.5;
     lanes.resize(weather.rains().size());
     for (std::size_t i = 0; i < lanes.size(); ++i) {
         const PacketWeather::RainLanes& rain = packet_weather().rain(i);
         const LaneValues extinction = carried(rain.extinction, path.lanes);
         const LaneValues albedo = carried(rain.albedo, path.lanes);
-        phase_at(*weather.rains()[i].drops, cosine, sun.discs[i], path.lanes, lanes[i].source);
+        phase_at(*weather.rains()[i].drops, cosine, sun.discs[i], path.lanes, lanes[i].source,
+                 perpendicular);
         for (int k = 0; k < count; ++k) {
             lanes[i].extinction[k] = extinction[k] * weather.usual_density(i);
             lanes[i].source[k] *= irradiance[k] * albedo[k] * lanes[i].extinction[k];

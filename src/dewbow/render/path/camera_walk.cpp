@@ -12,7 +12,7 @@ CameraWalk::CameraWalk(const PreparedScene& prepared, const caustics::LightPaths
 PixelSample CameraWalk::run(const Ray& ray) {
     eye_ = ray.origin;
     follow(shared_start(ray, start_));
-    return result_;
+    return behind_polariser();
 }
 
 PixelSample CameraWalk::run_open(const Ray& first, const RayLanes& rays) {
@@ -22,6 +22,13 @@ PixelSample CameraWalk::run_open(const Ray& first, const RayLanes& rays) {
                   result_);
     eye_ = rays.origin(0);
     follow(open_start(rays, start_));
+    return behind_polariser();
+}
+
+/// What is not seen of bows themselves (sun_in_rain) counts as light without polarisation.
+PixelSample CameraWalk::behind_polariser() {
+    if (prepared_.camera.polariser())
+        for (double& radiance : result_.radiance) radiance *= kPolariserShare;
     return result_;
 }
 

@@ -48,6 +48,7 @@ private:
     void on_leaving(const SharedPath& path) override;
     double choice_of_lanes(const OpenPath& path) const override;
 
+    PixelSample behind_polariser();
     template <class Eval>
     void direct_light(const SharedPath& path, const Vertex& vertex, bool both_sides, double note,
                       Eval&& eval);
