@@ -37,7 +37,7 @@ Json json_of(const SceneReport& report, const ImportedScene& imported) {
     const Scene& scene = imported.scene;
     Json materials = Json::array(), textures = Json::array(), cameras = Json::array(),
          ignored = Json::array(), costs = Json::array(), skies = Json::array(),
-         distant = Json::array();
+         distant = Json::array(), rains = Json::array();
     for (const MaterialFacts& m : report.materials) materials.push_back(json_of(m));
     for (const TextureFacts& t : report.textures)
         textures.push_back({{"name", t.name},
@@ -52,6 +52,13 @@ Json json_of(const SceneReport& report, const ImportedScene& imported) {
         distant.push_back({{"altitude_deg", d.altitude_deg},
                            {"azimuth_deg", d.azimuth_deg},
                            {"illuminance_lx", d.illuminance_lx}});
+    for (const RainFacts& r : report.rains)
+        rains.push_back({{"name", r.name},
+                         {"region", r.region},
+                         {"drops_per_m3", r.drops_per_m3},
+                         {"rate_mm_per_h", r.mm_per_h},
+                         {"extinction_per_km", r.extinction_per_km},
+                         {"optical_depth", json_of(r.optical_depth)}});
     for (const CameraView& camera : scene.cameras) cameras.push_back(camera.name);
     for (const Diagnostic& d : imported.diagnostics)
         ignored.push_back({{"place", to_string(d.place)}, {"text", d.text}});
@@ -69,6 +76,7 @@ Json json_of(const SceneReport& report, const ImportedScene& imported) {
             {"lights", report.lights},
             {"skies", skies},
             {"distant_lights", distant},
+            {"rains", rains},
             {"cameras", cameras},
             {"camera", scene.camera.name},
             {"film", {{"width", scene.film.width}, {"height", scene.film.height}}},
@@ -135,6 +143,13 @@ std::string text_of(const std::string& file, const SceneReport& report,
     for (const DistantFacts& d : report.distant)
         text += fmt::format("distant    {:.4g} lx, {:.2f}° above the horizon, azimuth {:.2f}°\n",
                             d.illuminance_lx, d.altitude_deg, d.azimuth_deg);
+    for (const RainFacts& r : report.rains) {
+        text +=
+            fmt::format("rain       {}: {:.4g} mm/h, {:.4g} drops/m³, extinction {:.4g} / km, {}",
+                        r.name, r.mm_per_h, r.drops_per_m3, r.extinction_per_km, r.region);
+        if (r.optical_depth) text += fmt::format(", optical depth {:.4g}", *r.optical_depth);
+        text += "\n";
+    }
     text += fmt::format("camera     {} (of {})\n", scene.camera.name, scene.cameras.size());
     text += fmt::format("film       {} x {} pixels\n", scene.film.width, scene.film.height);
     text +=

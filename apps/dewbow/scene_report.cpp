@@ -10,6 +10,7 @@
 
 #include "dewbow/optics/catalogue.h"
 #include "dewbow/sky/cloud_bank.h"
+#include "dewbow/sky/drop_cloud.h"
 #include "dewbow/spectrum/cie.h"
 #include "memory.h"
 
@@ -70,6 +71,7 @@ public:
         count_shapes();
         for (const Light& light : scene_.lights) ++report_.lights[std::visit(LightName{}, light)];
         describe_far_lights();
+        for (const Rain& rain : scene_.rains) describe(rain);
         for (const Material& material : scene_.materials) describe(material);
         count_glowing();
         report_.bounds = bounds_of(scene_);
@@ -107,6 +109,25 @@ private:
                  azimuth < 0.0 ? azimuth + 360.0 : azimuth,
                  kLuminousEfficacy * xyz_from_spectrum(*sun->irradiance)[1]});
         }
+    }
+
+    void describe(const Rain& rain) {
+        RainFacts facts;
+        facts.name = rain.name;
+        facts.drops_per_m3 = rain.drops->drops_per_m3();
+        facts.mm_per_h = rain.drops->rain_rate_mm_per_h();
+        const double lambda_nm = kExtinctionWavelength.to(unit::nm);
+        double per_m = 0.0;
+        rain.drops->extinction_lanes({&lambda_nm, 1}, {&per_m, 1});
+        facts.extinction_per_km = 1e3 * per_m;
+        facts.region = "inside of a mesh";
+        if (const auto* region = std::get_if<ConvexRegion>(&rain.region)) {
+            const std::optional<Length> thickness = region->thickness();
+            facts.region = thickness ? fmt::format("{:.4g} m thick", thickness->to(unit::m))
+                                     : std::string("without end");
+            if (thickness) facts.optical_depth = per_m * thickness->to(unit::m);
+        }
+        report_.rains.push_back(std::move(facts));
     }
 
     void count_mesh(const Mesh& mesh) {

@@ -40,6 +40,14 @@ struct DistantFacts {
     double illuminance_lx = 0.0;                   ///< on a surface that faces it
 };
 
+/// A rain, where its density is 1.
+struct RainFacts {
+    std::string name, region;  ///< "500 m thick"
+    double drops_per_m3 = 0.0, mm_per_h = 0.0;
+    double extinction_per_km = 0.0;       ///< at kExtinctionWavelength
+    std::optional<double> optical_depth;  ///< of that, through the region's thinnest way
+};
+
 /// Something that costs, and why.
 struct Cost {
     std::string what, why;
@@ -53,6 +61,7 @@ struct SceneReport {
     std::map<std::string, std::size_t> lights;  ///< by type; "glowing shape" too
     std::vector<SkyFacts> skies;
     std::vector<DistantFacts> distant;
+    std::vector<RainFacts> rains;
     std::vector<MaterialFacts> materials;
     std::vector<TextureFacts> textures;
     Bounds bounds;  ///< of all but infinite planes, m

@@ -70,9 +70,9 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     const int count = path.lanes.count;
     const double cosine = dot(way.direction, sun.towards);
     const LaneValues irradiance = carried(packet_weather().sun(sun_index), path.lanes);
-    // A bow seen behind glass or in a mirror counts as light without polarisation.
+    // A bow seen behind glass or in a mirror, or one of mirrored light, counts as unpolarised.
     const auto& polariser = prepared_.camera.polariser();
-    const double perpendicular = polariser && path.sees_start()
+    const double perpendicular = polariser && path.sees_start() && !sun.mirror
                                      ? polariser->perpendicular_share(way.direction, sun.towards)
                                      : 0.5;
     lanes.resize(weather.rains().size());
