@@ -134,11 +134,13 @@ void CameraWalk::mirror_in_rain(const RainSun& sun, const Way& way, const Reflec
             cosine, sun.discs[i], lanes.lambdas(),
             std::span(phase).first(std::size_t(lanes.count)));
         for (int k = 0; k < lanes.count; ++k) {
-            const auto lane = std::size_t(k);
-            const double even = phase[lane].unpolarised();
+            const Intensities p = phase[std::size_t(k)];
+            const Reflectance<double> light =
+                sun.mirror->turned(shares[std::size_t(k)], {-way.direction});
             const double mirrored =
-                sun.mirror->scattered(shares[lane], phase[lane], {-way.direction});
-            rains[i].source[k] *= even > 0.0 ? mirrored / even : 0.0;
+                light.perpendicular * p.perpendicular + light.parallel * p.parallel;
+            const double all = p.perpendicular + p.parallel;
+            rains[i].source[k] *= all > 0.0 ? mirrored / all : 0.0;
         }
     }
 }

@@ -79,16 +79,14 @@ std::optional<ReflectanceLanes> MirroredSun::reflect(const PreparedScene& prepar
     return shares;
 }
 
-double MirroredSun::scattered(Reflectance<double> mirror, Intensities phase,
-                              Dir<World> towards_eye) const {
+Reflectance<double> MirroredSun::turned(Reflectance<double> mirror, Dir<World> towards_eye) const {
     const Vec3 along_mirror{to_sun_.v.z, 0.0, -to_sun_.v.x};  // level, across the light's way
     const Vec3 across = cross(direction().v, towards_eye.v);  // of the plane of scattering
     const double sizes = dot(along_mirror, along_mirror) * dot(across, across);
-    const double both = mirror.unpolarised() * phase.unpolarised();
-    if (!(sizes > 0.0)) return both;  // straight on, straight back, or a sun in the zenith
-    const double cos_2psi = 2.0 * squared(dot(along_mirror, across)) / sizes - 1.0;
-    return both + cos_2psi * 0.25 * (mirror.perpendicular - mirror.parallel) *
-                      (phase.perpendicular - phase.parallel);
+    // Straight on or back, or a sun in the zenith: one of the two planes is any.
+    const double same = sizes > 0.0 ? squared(dot(along_mirror, across)) / sizes : 0.5;
+    return {.parallel = mirror.parallel * same + mirror.perpendicular * (1.0 - same),
+            .perpendicular = mirror.perpendicular * same + mirror.parallel * (1.0 - same)};
 }
 
 }  // namespace dewbow

@@ -48,13 +48,11 @@ public:
                                             std::uint32_t vertex, const LaneSet& lanes,
                                             PacketMedia& media) const;
 
-    /// The share per sr that drops scatter of the mirrored light into `towards_eye`, over the light
-    /// before the mirror. Its polarisation is turned from the plane of incidence into that of
-    /// scattering: with R the reflectances, p the phases and ψ the angle between both planes,
-    /// (R⊥ + R∥)/2 (p⊥ + p∥)/2 + cos 2ψ (R⊥ − R∥)/2 (p⊥ − p∥)/2.
-    ///                                             [Bohren & Huffman 1983, §2.11, §4.4; derived
-    ///                                             here]
-    double scattered(Reflectance<double> mirror, Intensities phase, Dir<World> towards_eye) const;
+    /// What the mirror leaves, taken apart along the plane in which drops scatter it to the eye:
+    /// with ψ the angle between that plane and the one of incidence, R⊥' = R⊥ cos² ψ + R∥ sin² ψ,
+    /// and the other way round. Drops then send R⊥' p⊥ + R∥' p∥ of light that had half its
+    /// intensity in each.            [Bohren & Huffman 1983, §2.11; derived here]
+    Reflectance<double> turned(Reflectance<double> mirror, Dir<World> towards_eye) const;
 
 private:
     Dir<World> to_sun_;
