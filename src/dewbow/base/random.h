@@ -31,6 +31,8 @@ enum class Purpose : std::uint32_t {
     haze,              ///< a point of haze and its light, or what sees it
     rain_on_flight,    ///< what uneven rain leaves of light along a path
     rain_to_light,     ///< and on its way from a light or to a camera
+    drop_distance,     ///< where a path meets a drop, and whether it does
+    drop_direction,    ///< how the drop turns it
     rain_point,        ///< a point of rain, and of the light that shines on it
 };
 

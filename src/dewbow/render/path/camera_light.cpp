@@ -40,7 +40,13 @@ double CameraWalk::weight_of_chance(const SharedPath& path, double next_event, d
     return power_heuristic(chance, next_event, density > 0.0 ? chance * path.note * density : 0.0);
 }
 
+/// Whether the light of what the path has run into was found before: at the drop that turned it.
+bool CameraWalk::found_at_drop(const SharedPath& path) {
+    return path.last.drop && !path.last.specular;
+}
+
 void CameraWalk::on_leaving(const SharedPath& path) {
+    if (found_at_drop(path)) return;
     const LightSet& lights = prepared_.lights;
     const LastTurn& last = path.last;
     LaneValues radiance;
@@ -57,6 +63,7 @@ void CameraWalk::on_leaving(const SharedPath& path) {
 }
 
 void CameraWalk::on_lamp(const SharedPath& path, const Hit& hit) {
+    if (found_at_drop(path)) return;
     const LightSet& lights = prepared_.lights;
     const Vec3 position = path.ray.origin + path.ray.direction * hit.t;
     LaneValues radiance;

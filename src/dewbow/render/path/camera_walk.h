@@ -38,14 +38,18 @@ public:
     /// Each lane on its own ray from the start; `first` is what the layers see.
     PixelSample run_open(const Ray& first, const RayLanes& rays);
 
+protected:
+    void on_flight(const SharedPath& path, const Hit& hit) override;
+    void on_leaving(const SharedPath& path) override;
+    /// Radiance that arrives at the end of the path.
+    void add(const SharedPath& path, const LaneValues& radiance, double weight);
+
 private:
     void on_surface(const SharedPath& path, const Vertex& vertex, int material) override;
     bool on_scatterer(const SharedPath& path, const Scatterer& at) override;
     void on_scattered(SharedPath& path, const Scatterer& at, Vec3 wi) override;
     void on_rough_glass(const SharedPath& lane, const RoughGlass& at) override;
     void on_lamp(const SharedPath& path, const Hit& hit) override;
-    void on_flight(const SharedPath& path, const Hit& hit) override;
-    void on_leaving(const SharedPath& path) override;
     double choice_of_lanes(const OpenPath& path) const override;
 
     PixelSample behind_polariser();
@@ -55,8 +59,8 @@ private:
     double weight_of_direct(const LightSample& light, Vec3 receiver, double chance,
                             double note) const;
     static bool shared_with_light(const SharedPath& path);
+    static bool found_at_drop(const SharedPath& path);
     static double weight_of_chance(const SharedPath& path, double next_event, double density);
-    void add(const SharedPath& path, const LaneValues& radiance, double weight);
     void light_in_haze(const SharedPath& path, const Hit& hit);
     void light_in_rain(const SharedPath& path, const Hit& hit);
     void sun_in_rain(const SharedPath& path, const Way& way, std::size_t sun);

@@ -77,6 +77,7 @@ void PacketWalk::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
     const auto i = std::size_t(k);
     const Hit& hit = hits[i];
     if (scatters(path.media[i], path.depth)) on_flight(lane_of(path, k), hit);
+    if (settings_.rain.multiple() && !open_in_rain(path, k, hit)) return;
     if (in_weather(path.media[i])) {
         SharedPath lane = lane_of(path, k);
         dim(flight(lane, hit), lane.lanes, lane.beta);

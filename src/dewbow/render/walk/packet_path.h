@@ -20,6 +20,8 @@ struct LastTurn {
     double pdf = 0.0;  ///< else of the direction that it took, sr⁻¹
     Receiver receiver;
     bool rough_glass = false;  ///< what turned it
+    /// A drop of rain turned it: lights that it runs into by that have been found from there.
+    bool drop = false;
 };
 
 /// One ray with the lanes that it carries.
@@ -34,6 +36,8 @@ struct SharedPath {
     bool scattered = false;    ///< has met something rough
     bool split = false;        ///< has split at a dispersive boundary
     bool hidden = false;       ///< has passed a boundary that is none, but stops shadow rays
+    bool in_rain = false;      ///< has met rain, and is one of the two ways from there
+    int drops = 0;             ///< how many have turned it
     bool from_afar = false;    ///< starts infinitely far: nothing is absorbed on the first way
     LastTurn last;
     double note = 0.0;  ///< what the hooks keep with it
@@ -53,6 +57,7 @@ struct OpenPath {
     std::uint32_t branch = 0;
     LaneMask hidden = 0;
     bool scattered = false;  ///< as of SharedPath
+    int drops = 0;           ///< as of SharedPath
     std::array<LastTurn, kMaxLanes> last;
     LaneValues note;
 };

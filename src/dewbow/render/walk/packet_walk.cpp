@@ -144,6 +144,8 @@ SharedPath PacketWalk::lane_of(const OpenPath& path, int k) const {
     lane.depth = path.depth;
     lane.branch = path.branch;
     lane.scattered = path.scattered;
+    lane.in_rain = true;
+    lane.drops = path.drops;
     lane.split = true;
     lane.hidden = path.hidden >> k & 1u;
     lane.last = path.last[i];

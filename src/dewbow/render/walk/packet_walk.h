@@ -17,8 +17,8 @@
 // Radiance is carried divided by the square of the index, which no boundary changes.
 // [L / n² is invariant: Nicodemus 1963]
 //
-// shared_walk.cpp follows lanes on one ray, open_walk.cpp lanes on rays of their own,
-// packet_walk.cpp holds what both need.
+// shared_walk.cpp follows lanes on one ray, open_walk.cpp lanes on rays of their own, rain_walk.cpp
+// both where drops turn them; packet_walk.cpp holds what all need.
 
 #include <cmath>
 
@@ -157,6 +157,12 @@ private:
     void trace(SharedPath path);
     void finish_pending();
     bool interact(SharedPath& path, const Hit& hit);
+    // In rain of which higher orders of light are looked for (rain_walk.cpp).
+    enum class Flight { straight, turned, ended };
+    bool may_meet_drops(const SharedPath& path) const;
+    Flight fly_in_rain(SharedPath& path, const Hit& hit);
+    bool turn_by_drop(SharedPath& path, const Way& way, double distance, double pdf);
+    bool open_in_rain(OpenPath& path, int k, const Hit& hit);
     bool scatter(SharedPath& path, const Hit& hit, const Vertex& vertex, const Material& material,
                  bool show);
     void turn(SharedPath& path, const Vertex& vertex, Vec3 normal, Vec3 direction) const;

@@ -44,6 +44,11 @@ void PacketWalk::trace(SharedPath path) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(path.ray);
         if (scatters(path.media, path.depth)) on_flight(path, hit);
+        if (may_meet_drops(path)) {
+            const Flight flight = fly_in_rain(path, hit);
+            if (flight == Flight::ended) return;
+            if (flight == Flight::turned) continue;
+        }
         if (hit || !path.from_afar) absorb(flight(path, hit), path.lanes, path.beta, path.media);
         path.from_afar = false;
         if (!hit) {
@@ -240,6 +245,7 @@ void PacketWalk::open_transmitted(const SharedPath& path, const Vertex& vertex,
     open.branch = ++branches_;
     open.rays.count = path.lanes.count;
     open.scattered = path.scattered;
+    open.drops = path.drops;
     open.media.fill(boundary.after);
     open.note.v.fill(path.note);
     const double cos_i = std::min(1.0, dot(vertex.wo, normal));
@@ -268,6 +274,7 @@ bool PacketWalk::rough(SharedPath& path, const Hit& hit, const Dielectric& glass
     open.rays.count = path.lanes.count;
     open.active = (1u << path.lanes.count) - 1u;
     open.scattered = path.scattered;
+    open.drops = path.drops;
     open.media.fill(path.media);
     open.hidden = path.hidden ? open.active : 0;
     open.note.v.fill(path.note);

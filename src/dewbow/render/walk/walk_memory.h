@@ -8,6 +8,7 @@
 #include "dewbow/render/prepared_scene.h"
 #include "dewbow/render/rgb_lanes.h"
 #include "dewbow/render/walk/packet_path.h"
+#include "dewbow/render/weather/drop_collisions.h"
 #include "dewbow/render/weather/rain_light.h"
 
 namespace dewbow::walk {
@@ -24,6 +25,7 @@ struct WalkMemory {
     std::uint64_t serial = 0;
     std::optional<PacketMedia> media;
     PacketWeather weather;
+    DropCollisions drops;
     RainMemory rain;
     // Spectra of RGB colours at the packet's wavelengths.
     RgbLightLanes light;
