@@ -34,9 +34,9 @@ double edge(double x, double softness) {
 /// −1 to 1, 0 in the mean: chaos on directions, flattened as clouds are that are seen from below.
 double unevenness(const CloudBank& cloud, Dir<World> direction) {
     Chaos texture;
-    texture.octaves = 7;
-    texture.base_frequency = 4.0;  // cells a radian
-    texture.exponent = 2.6;        // softer than 1/f²: clouds have no grain
+    texture.octaves = 6;
+    texture.base_frequency = 2.5;  // cells a radian
+    texture.exponent = 3.4;        // softer than 1/f²: clouds have no grain
     texture.stretch = 0.5;
     texture.seed = cloud.seed;
     return 2.0 * chaos(direction.v, texture) - 1.0;
@@ -118,8 +118,9 @@ double cover_towards(const CloudBank& cloud, Dir<World> direction) {
     const double ragged = cloud.texture > 0.0 && softness > 0.0
                               ? softness * cloud.texture * unevenness(cloud, direction)
                               : 0.0;
-    double cover = cloud.cover * edge(altitude + ragged - cloud.bottom.to(unit::rad), softness);
-    // A bank that reaches to the zenith ends there, and not in an edge.
+    double cover = cloud.cover;
+    if (cloud.bottom > -90.0 * unit::deg)
+        cover *= edge(altitude + ragged - cloud.bottom.to(unit::rad), softness);
     if (cloud.top < 90.0 * unit::deg)
         cover *= edge(cloud.top.to(unit::rad) + ragged - altitude, softness);
     if (cloud.width < 360.0 * unit::deg) {

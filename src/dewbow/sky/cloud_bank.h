@@ -14,8 +14,8 @@ namespace dewbow {
 struct CloudBank {
     Angle azimuth;                      ///< of its middle, from north clockwise
     Angle width = 180.0 * unit::deg;    ///< from edge to edge, > 0, to 360° (all around)
-    Angle bottom;                       ///< altitude of its lower edge, −90 to 90°
-    Angle top = 90.0 * unit::deg;       ///< of its upper edge, above the lower
+    Angle bottom = -90.0 * unit::deg;   ///< altitude of its lower edge; −90°: there is none
+    Angle top = 90.0 * unit::deg;       ///< of its upper edge, above the lower; 90°: there is none
     Angle softness = 10.0 * unit::deg;  ///< width of each edge, centred on it, 0 to 60°
     double luminance_share = 0.3;       ///< of the mean luminance of the sky behind, 0 to 2
     double cover = 1.0;                 ///< share of what is behind that it hides, 0 to 1

@@ -14,6 +14,7 @@
 #include "dewbow/sky/overcast.h"
 #include "dewbow/sky/sun_position.h"
 #include "dewbow/sky/sunlight.h"
+#include "dewbow/spectrum/illuminant.h"
 
 namespace dewbow::toml_import {
 namespace {
@@ -116,7 +117,7 @@ CloudBank read_cloud(const TomlDocument& document, const TomlValue& value) {
     cloud.azimuth = (all_around ? table.number("azimuth_deg", kAzimuths_deg, 0.0)
                                 : table.require_number("azimuth_deg", kAzimuths_deg)) *
                     unit::deg;
-    cloud.bottom = table.number("bottom_deg", kAltitudes_deg, 0.0) * unit::deg;
+    cloud.bottom = table.number("bottom_deg", kAltitudes_deg, -90.0) * unit::deg;
     cloud.top = table.number("top_deg", kAltitudes_deg, 90.0) * unit::deg;
     cloud.softness =
         table.number("softness_deg", {0.0, 60.0}, cloud.softness.to(unit::deg)) * unit::deg;
@@ -166,7 +167,7 @@ public:
         std::optional<CloudBank> cloud;
         if (const TomlValue* value = table_.find("cloud")) {
             cloud = read_cloud(document_, *value);
-            dome.light = make_cloud_bank_dome(dome.light, *cloud, make_sunlight_above());
+            dome.light = make_cloud_bank_dome(dome.light, *cloud, find_illuminant("D65"));
         }
         read_aerial(dome.aerial, scene);
         table_.finish();
