@@ -115,6 +115,8 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     }
     if (!weather.uneven()) {
         for (int k = 0; k < count; ++k) radiance[k] *= sample->left[k];
+        weather.dim_by_air({way.origin, way.direction, sample->distance, at, way.purpose},
+                           path.lanes, radiance);
     } else {
         absorb({way.origin, way.direction, sample->distance, at, Purpose::rain_on_flight},
                path.lanes, radiance, path.media);
@@ -192,6 +194,9 @@ void CameraWalk::sky_in_rain(const SharedPath& path, const Way& way) {
         there.left.v.fill(1.0);
         absorb({way.origin, way.direction, sample->distance, at, Purpose::rain_on_flight},
                path.lanes, there.left, path.media);
+    } else {
+        weather.dim_by_air({way.origin, way.direction, sample->distance, at, way.purpose},
+                           path.lanes, there.left);
     }
     const std::array<double, 2> u_direction{key_.third(at, Purpose::rain_point),
                                             key_.fourth(at, Purpose::rain_point)};

@@ -39,7 +39,9 @@ void CameraWalk::on_surface(const SharedPath& path, const Vertex& vertex, int ma
 
 void CameraWalk::on_flight(const SharedPath& path, const Hit& hit) {
     if (in_haze(path.media)) light_in_haze(path, hit);
-    if (in_weather(path.media)) light_in_rain(path, hit);
+    if (!in_weather(path.media)) return;
+    if (!prepared_.weather->rains().empty()) light_in_rain(path, hit);
+    if (prepared_.weather->has_air()) light_of_air(path, hit);
 }
 
 /// Light paths come where the camera sees what scatters.

@@ -62,6 +62,8 @@ private:
     static bool found_at_drop(const SharedPath& path);
     static double weight_of_chance(const SharedPath& path, double next_event, double density);
     void light_in_haze(const SharedPath& path, const Hit& hit);
+    void light_of_air(const SharedPath& path, const Hit& hit);
+    void air_before_rain(const SharedPath& path, const Way& way);
     void light_in_rain(const SharedPath& path, const Hit& hit);
     void sun_in_rain(const SharedPath& path, const Way& way, std::size_t sun);
     void mirror_in_rain(const RainSun& sun, const Way& way, const ReflectanceLanes& shares,

@@ -32,9 +32,9 @@ RainSun rain_sun(const DistantLight& light, int index, std::span<const Rain> rai
 
 }  // namespace
 
-bool Weather::is_there(const Scene& scene) { return !scene.rains.empty(); }
+bool Weather::is_there(const Scene& scene) { return scene.aerial || !scene.rains.empty(); }
 
-Weather::Weather(const Scene& scene) : rains_(scene.rains) {
+Weather::Weather(const Scene& scene) : air_(scene.aerial.get()), rains_(scene.rains) {
     for (const Rain& rain : rains_) {
         inside_.emplace_back(rain);
         usual_density_.push_back(usual(rain.chaos));
@@ -86,8 +86,23 @@ double Weather::length_that_dims(std::size_t rain, const Way& way) const {
     return std::isfinite(length) || way.seen ? length : 0.0;
 }
 
-void Weather::dim(const Way& way, PacketWeather& packet, const LaneSet& lanes, const SampleKey& key,
-                  LaneValues& values) const {
+void Weather::dim_by_air(const Way& way, const LaneSet& lanes, LaneValues& values) const {
+    if (!air_ || !std::isfinite(way.length)) return;
+    LaneValues airlight;
+    air_->eval_lanes(way.origin.y, {way.direction}, way.length, lanes.lambdas(),
+                     values.first(lanes.count), airlight.first(lanes.count));
+}
+
+LaneValues Weather::airlight(const Way& way, const LaneSet& lanes) const {
+    LaneValues transmittance, airlight;
+    transmittance.v.fill(1.0);
+    air_->eval_lanes(way.origin.y, {way.direction}, way.length, lanes.lambdas(),
+                     transmittance.first(lanes.count), airlight.first(lanes.count));
+    return airlight;
+}
+
+void Weather::dim_by_rain(const Way& way, PacketWeather& packet, const LaneSet& lanes,
+                          const SampleKey& key, LaneValues& values) const {
     for (std::size_t i = 0; i < rains_.size(); ++i) {
         if (rains_[i].chaos) {
             dim_uneven(i, way, packet.rain(i), lanes, key, values);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the air of a scene holds between its bodies, where the surroundings are: rain, and the suns
-// that make bows in it. Rains lie on top of each other and add.
+// What the air of a scene holds between its bodies, where the surroundings are: rain, the suns that
+// make bows in it, and the air itself. Rains lie on top of each other and add.
 
 #include <optional>
 #include <span>
@@ -43,7 +43,20 @@ public:
     /// Multiplies `values` by what the weather leaves of light on `way`: an unbiased estimate of
     /// it where a rain is uneven, else exact.
     void dim(const Way& way, PacketWeather& packet, const LaneSet& lanes, const SampleKey& key,
-             LaneValues& values) const;
+             LaneValues& values) const {
+        dim_by_air(way, lanes, values);
+        dim_by_rain(way, packet, lanes, key, values);
+    }
+    /// The rain's part of it, and the air's. Light from infinitely far is given as it arrives near
+    /// the ground, so that air takes nothing from a way that has no end.
+    void dim_by_rain(const Way& way, PacketWeather& packet, const LaneSet& lanes,
+                     const SampleKey& key, LaneValues& values) const;
+    void dim_by_air(const Way& way, const LaneSet& lanes, LaneValues& values) const;
+
+    /// Whether the air between things is seen.
+    bool has_air() const { return air_ != nullptr; }
+    /// What air on a way of finite length scatters towards its origin, W m⁻² sr⁻¹ nm⁻¹.
+    LaneValues airlight(const Way& way, const LaneSet& lanes) const;
 
 private:
     void add_images(const Scene& scene);
@@ -51,6 +64,7 @@ private:
     void dim_uneven(std::size_t rain, const Way& way, const PacketWeather::RainLanes& drops,
                     const LaneSet& lanes, const SampleKey& key, LaneValues& values) const;
 
+    const Aerial* air_;
     std::span<const Rain> rains_;
     std::vector<RainInside> inside_;     ///< one a rain
     std::vector<double> usual_density_;  ///< one a rain
