@@ -96,6 +96,23 @@ TEST(SceneWrongInput, Options) {
     });
 }
 
+TEST(SceneWrongInput, Rains) {
+    const std::string rain = "[[rain]]\nregion = { type = \"layer\", bottom_m = 0, top_m = 500 }\n";
+    const std::string drops = "drop_radius_mm = 0.5\nmodel = \"descartes\"\n";
+    check({
+        file("a.toml", "[[rain]]\n", {"a.toml:1:", "rain 1 needs region"}),
+        file("a.toml", rain, {"a.toml:1:", "rain 1 needs drop_sizes, drop_radius_mm or"}),
+        file("a.toml", rain + drops, {"rain 1 needs rate_mm_per_h, extinction_per_km"}),
+        file("a.toml", rain + drops + "rate_mm_per_h = 0\n", {"a.toml:5:", "rate_mm_per_h is 0"}),
+        file("a.toml", rain + drops + "optical_depth = 1e9\n",
+             {"a.toml:5:", "optical_depth is 1000000000; it must be", "at most 1000"}),
+        file("a.toml", rain + drops + "extinction_per_km = 1e5\n", {"drops would fill"}),
+        file("a.toml", rain + "drop_radius_mm = 0\n", {"a.toml:3:", "drop_radius_mm is 0"}),
+        file("a.toml", rain + "drop_sizes = \"1m\"\n", {"a.toml:3:", "expected 1 nm to 10 mm"}),
+        file("a.toml", rain + "drop_sizes = \"1cm\"\nrate_mm_per_h = 5\n", {"break up"}),
+    });
+}
+
 TEST(SceneWrongInput, Meshes) {
     const std::string ply =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
