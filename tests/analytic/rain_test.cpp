@@ -99,10 +99,10 @@ TEST(Rain, FogBehindABowDoesNotEraseIt) {
 }
 
 // A wall that glows behind the rain: dimmed by extinction, and nothing else is taken from it. (The
-// drops scatter a little of the wall's own light, too.)
+// drops scatter a little of the wall's own light, too, if they scatter at all.)
 TEST(Rain, DarkensWhatIsBehindByExtinctionAlone) {
     constexpr double kWall = 0.01, kOwnLight = 0.01;
-    Scene dark = empty_scene(16), sunny = sunny_scene(kAltitude), without_wall = sunny;
+    Scene dark = empty_scene(0), sunny = sunny_scene(kAltitude), without_wall = sunny;
     for (Scene* scene : {&dark, &sunny}) {
         add(*scene, Rectangle{4000.0 * m, 4000.0 * m}, lamp(kWall), translation({0, 0, -900}));
         scene->rains = {shower(4e-3)};
@@ -113,12 +113,12 @@ TEST(Rain, DarkensWhatIsBehindByExtinctionAlone) {
     for (const double angle : {30.0, 42.0, 46.0}) {
         const Ray ray = ray_above_antisolar(kAltitude, angle);
         const double through = kWall * std::exp(-per_m * 100.0 / -ray.direction.z);
-        const double wall = one_sample(dark, ray)[1];
-        EXPECT_GE(wall / through, 1.0 - kRounding) << angle;
-        EXPECT_LT(wall / through, 1.0 + kOwnLight) << angle;
+        EXPECT_NEAR(one_sample(dark, ray)[1] / through, 1.0, kRounding) << angle;
         const double bow = one_sample(without_wall, ray)[1];
         EXPECT_GT(bow, 0.0);
-        EXPECT_NEAR(one_sample(sunny, ray)[1] / (wall + bow), 1.0, kRounding) << angle;
+        const double seen = one_sample(sunny, ray)[1] / (through + bow);
+        EXPECT_GE(seen, 1.0 - kRounding) << angle;
+        EXPECT_LT(seen, 1.0 + kOwnLight) << angle;
     }
 }
 
@@ -139,6 +139,38 @@ TEST(Rain, NoBowOnTheLawnWithoutRainThere) {
     EXPECT_EQ(one_sample(soil, ray)[0], 0.0);
     soil.rains = {rain_in_box(drops(8e-3), {0, 0, -3}, {10, 1.6, 2})};
     EXPECT_GT(one_sample(soil, ray)[0], 0.0);
+}
+
+TEST(Rain, ShowsItsBowInAMirrorToo) {
+    Scene scene = sunny_scene(kAltitude);
+    scene.rains = {shower(4e-3)};
+    for (const double angle : {30.0, 42.0, 51.0}) {
+        const Ray ray = ray_above_antisolar(kAltitude, angle);
+        const auto direct = one_sample(scene, ray);
+        Scene mirrored = scene;
+        add(mirrored, Disc{0.1 * m}, {"mirror", Mirror{make_constant(1.0)}},
+            looking_at({0, 0, 0}, Vec3{0, 1, 0} + ray.direction, {1, 0, 0}));
+        // From above, onto the mirror at the origin.
+        const auto seen = one_sample(mirrored, {{0, 1, 0}, {0, -1, 0}, {}});
+        for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(seen[k] / direct[k], 1.0, kLanesDiffer);
+    }
+}
+
+// A body fills the near half of the rain's region. Rays go on behind it, or back from it to
+// nothing.
+TEST(Rain, IsNotInsideBodies) {
+    constexpr double kWall = 0.01;
+    Scene scene = empty_scene(2);
+    add(scene, Rectangle{4000.0 * m, 4000.0 * m}, lamp(kWall), translation({0, 0, -900}));
+    add(scene, Box{2000.0 * m, 2000.0 * m, 60.0 * m}, dielectric(plain(1.5)),
+        translation({0, 0, -120}));
+    scene.rains = {shower(4e-3)};
+    double per_m;
+    scene.rains[0].drops->extinction_lanes({&kLambda_nm, 1}, {&per_m, 1});
+    double most = 0.0;
+    for (std::size_t i = 0; i < 8; ++i)
+        most = std::max(most, one_sample(scene, {{0, 0, 0}, {0, 0, -1}, {}}, i)[1]);
+    EXPECT_NEAR(most / (kWall * std::exp(-per_m * 50.0)), 1.0, kRounding);
 }
 
 /// A wall that keeps sunlight from what lies below a slanting plane.
@@ -184,6 +216,39 @@ TEST(Rain, OfUnevenDensityIsTheQuadratureOfTheLaw) {
         scene, ray, 20000, [&](double lambda) { return law.sunlight(ray, 600.0, 800.0, lambda); });
     EXPECT_LT(std::abs(sums.mean()), kSigmas * sums.standard_error() + kQuadrature);
     EXPECT_LT((kSigmas + kPower99) * sums.standard_error(), 0.05);
+    std::printf("    mean %+.4f +- %.4f\n", sums.mean(), sums.standard_error());
+}
+
+// A lamp in the rain, near the ray: most of its light comes from where they are closest.
+TEST(Rain, LampsShineOnIt) {
+    constexpr double kIntensity = 5.0;
+    const Vec3 lamp{0.5, 0.2, -6.0};
+    Scene scene = empty_scene(16);
+    scene.rains = {rain_in_box(drops(8e-3), {0, 0, -50}, {30, 30, 49})};
+    scene.lights.push_back(PointLight{{lamp}, make_constant(kIntensity)});
+    const DropCloud& cloud = *scene.rains[0].drops;
+    const auto expected = [&](double lambda_nm) {
+        double per_m, albedo;
+        cloud.extinction_lanes({&lambda_nm, 1}, {&per_m, 1});
+        cloud.albedo_lanes({&lambda_nm, 1}, {&albedo, 1});
+        // Equal steps of the angle under which the lamp sees the ray.
+        const double aside = std::hypot(lamp.x, lamp.y);
+        const double first = std::atan((1.0 + lamp.z) / aside);
+        const double last = std::atan((99.0 + lamp.z) / aside);
+        constexpr int kSteps = 20000;
+        double sum = 0.0;
+        for (int i = 0; i < kSteps; ++i) {
+            const double angle = first + (i + 0.5) * (last - first) / kSteps;
+            const double s = aside * std::tan(angle) - lamp.z, r = aside / std::cos(angle);
+            Intensities phase;
+            cloud.phase_lanes(-std::sin(angle), 0, {&lambda_nm, 1}, {&phase, 1});
+            sum += phase.unpolarised() * std::exp(-per_m * (s - 1.0 + r));
+        }
+        return kIntensity * per_m * albedo * sum * (last - first) / kSteps / aside;
+    };
+    const MeanSums sums = rain_difference(scene, {{0, 0, 0}, {0, 0, -1}, {}}, 60000, expected);
+    EXPECT_LT(std::abs(sums.mean()), kSigmas * sums.standard_error());
+    EXPECT_LT((kSigmas + kPower99) * sums.standard_error(), 0.1);
     std::printf("    mean %+.4f +- %.4f\n", sums.mean(), sums.standard_error());
 }
 

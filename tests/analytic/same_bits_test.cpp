@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "dewbow/render/session.h"
-#include "scene_kit.h"
+#include "rain_kit.h"
 
 namespace dewbow {
 namespace {
@@ -20,7 +20,7 @@ struct ThreadsGuard {
 };
 
 /// Something of everything: a stone as mesh, analytic bodies inside one another, rough glass,
-/// lights of several kinds.
+/// lights of several kinds, uneven rain.
 Scene scene_of_everything() {
     Scene scene = make_empty_scene();
     scene.film.width = 50;
@@ -41,6 +41,10 @@ Scene scene_of_everything() {
         translation({0, 2.5, 0}) * rotation({1, 0, 0}, 90.0 * deg));
     scene.lights.push_back(UniformEnvironment{make_constant(0.3)});
     scene.lights.push_back(PointLight{{{1, 2, 1}}, make_constant(1.0)});
+    scene.lights.push_back(
+        DistantLight{{-towards_sun(30.0)}, kSunDisc, make_constant(kSunIrradiance)});
+    scene.rains = {rain_in_box(drops(0.1), {0, 1, 0}, {4, 1, 4})};
+    scene.rains[0].chaos = Chaos{};
     return scene;
 }
 
@@ -120,6 +124,7 @@ TEST(SameBits, WithLightPathsToo) {
 TEST(SameBits, Distributed1989TooInAllItsWays) {
     const ThreadsGuard guard;
     Scene scene = scene_of_everything();
+    scene.rains.clear();
     scene.film.spectral_bins = 0;
     scene.render.samples_per_pixel = 4;
     scene.render.max_depth = 6;

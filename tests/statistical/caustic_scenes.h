@@ -3,7 +3,7 @@
 
 // Scenes whose light camera paths find by chance, with patience, and light paths at once.
 
-#include "../analytic/scene_kit.h"
+#include "../analytic/rain_kit.h"
 #include "dewbow/optics/metal.h"
 #include "dewbow/spectrum/illuminant.h"
 #include "dewbow/spectrum/rgb.h"
@@ -42,6 +42,13 @@ inline Scene glass_ball() {
     add_floor(scene);
     add(scene, Sphere{0.3 * m}, dielectric(glass("schott/N-SF66")), translation({0, 0.45, 0}));
     add_lamp(scene, 0.7);
+    return scene;
+}
+
+/// The ball stands in rain, which dims the light on each way of it.
+inline Scene glass_ball_in_rain() {
+    Scene scene = glass_ball();
+    scene.rains = {rain_in_box(drops(0.4), {0, 1.2, 0}, {1, 1, 1})};
     return scene;
 }
 
@@ -172,6 +179,7 @@ inline void PrintTo(const NamedScene& row, std::ostream* out) { *out << row.name
 
 inline const NamedScene kCausticScenes[] = {
     {"GlassBall", &glass_ball},
+    {"GlassBallInRain", &glass_ball_in_rain},
     {"RoughGlass", &rough_glass},
     {"RoomThroughAWindow", &room_through_a_window},
     {"EvenDome", &even_dome},

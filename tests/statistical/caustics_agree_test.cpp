@@ -157,6 +157,25 @@ TEST(CausticsAgreePlants, AndWithoutAFaultAllIsWell) {
     EXPECT_GT(compare_planted(by<SoundWalk>()).chance, kFalseAlarm);
 }
 
+/// Rain takes 40 % of what it is to take from light paths.
+TEST(CausticsAgreePlants, RainThatLightPathsDoNotKnow) {
+    const Scene scene = glass_ball_in_rain();
+    const Compared found =
+        compare(pictures(
+                    scene,
+                    [](const Scene& wet) {
+                        static std::vector<std::unique_ptr<Scene>> dry;
+                        dry.push_back(std::make_unique<Scene>(wet));
+                        dry.back()->rains.clear();
+                        return std::make_unique<Joined>(caustics_of(wet, 1.0),
+                                                        method("caustics")(*dry.back()));
+                    },
+                    2 * kSamples, 0),
+                pictures(scene, method("path"), 2 * kSamples, kOtherSeed));
+    EXPECT_LT(found.chance, kFalseAlarm);
+    std::printf("    least chance %.2g, difference %.4f\n", found.chance, found.difference);
+}
+
 /// Of casters rough glass alone is asked for the lamp.
 TEST(CausticsAgreePlants, ADensityOfNextEventThatOneSideDoesNotKnow) {
     constexpr int kSamplesOfPlant = 2 * kSamples;

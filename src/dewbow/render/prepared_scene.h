@@ -24,7 +24,7 @@ struct PreparedScene {
     Accelerator accelerator;
     LightSet lights;
     CameraRays camera;
-    std::optional<Haze> haze;         ///< where some medium scatters
+    std::optional<Haze> haze;         ///< where a medium scatters, or there is weather
     std::optional<Weather> weather;   ///< where a scene has any
     MediaStack camera_media;          ///< what the camera stands in
     std::vector<Colour<Xyz>> albedo;  ///< one a material, for the albedo layer

@@ -7,7 +7,7 @@
 
 namespace dewbow {
 
-/// What a scene is prepared with, besides all else, if a medium of it scatters.
+/// What a scene is prepared with, besides all else, if a medium of it scatters or drops do.
 struct Haze {
     Haze(const Scene& scene, const LightSet& lights, const CameraRays& rays)
         : lamps(scene, lights), view(scene.camera, scene.film, rays), ball(ball_around(scene)) {}

@@ -80,6 +80,23 @@ DistanceDensity HazeLamps::density(Vec3 origin, Vec3 direction, double length,
     DistanceDensity density(extinction);
     const RayInterval all{0.0, length};
     density.add_attenuated(all, far_irradiance_);
+    add_near(origin, direction, length, density);
+    density.finish(all, kEvenShare);
+    return density;
+}
+
+DistanceDensity HazeLamps::near_density(Vec3 origin, Vec3 direction, double length,
+                                        std::span<const double> extinction) const {
+    DistanceDensity density(extinction);
+    if (near_.empty() && beams_.empty()) return density;
+    add_near(origin, direction, length, density);
+    density.finish({0.0, length}, kEvenShare);
+    return density;
+}
+
+void HazeLamps::add_near(Vec3 origin, Vec3 direction, double length,
+                         DistanceDensity& density) const {
+    const RayInterval all{0.0, length};
     for (const Near& lamp : near_) {
         const RayInterval lit = lamp.everywhere ? all
                                                 : part_in_cone(origin, direction, length, lamp.apex,
@@ -96,8 +113,6 @@ DistanceDensity HazeLamps::density(Vec3 origin, Vec3 direction, double length,
         density.add_attenuated(
             part_in_cylinder(origin, direction, length, beam.base, beam.axis, beam.radius),
             beam.irradiance);
-    density.finish(all, kEvenShare);
-    return density;
 }
 
 }  // namespace dewbow

@@ -18,6 +18,10 @@ public:
     DistanceDensity density(Vec3 origin, Vec3 direction, double length,
                             std::span<const double> extinction) const;
 
+    /// The same of all lamps that are not infinitely far. With none of them it is empty.
+    DistanceDensity near_density(Vec3 origin, Vec3 direction, double length,
+                                 std::span<const double> extinction) const;
+
 private:
     /// A lamp or several, with the cone that holds all their light.
     struct Near {
@@ -33,6 +37,7 @@ private:
         double radius, irradiance;
     };
     void add(const LightBounds& bounds);
+    void add_near(Vec3 origin, Vec3 direction, double length, DistanceDensity& density) const;
 
     std::vector<Near> near_;
     std::vector<Cylinder> beams_;

@@ -22,6 +22,9 @@ constexpr std::uint32_t kBehindMirror = 0x165667b1u;
 /// which the fog's forward peak needs, and not by the sky's brightness.
 constexpr double kByChance = 0.5;
 
+/// Share of the points at which other lights are asked that is taken by where lamps are near.
+constexpr double kByLamps = 0.5;
+
 /// p at each lane, per sr.
 /// @param perpendicular  how much of the light counts that is polarised so, and 1 minus it of the
 /// parallel light: half and half without regard to polarisation.
@@ -182,7 +185,7 @@ void CameraWalk::sky_in_rain(const SharedPath& path, const Way& way) {
 
     const std::uint32_t at = way.at + kOtherLights;
     const std::array<double, 2> u = key_.two(at, Purpose::rain_point);
-    const std::optional<RainLight::Sample> sample = light.sample(u[0]);
+    const std::optional<RainLight::Sample> sample = point_in_rain(path, way, u[0]);
     if (!sample) return;
     const Vec3 point = way.origin + way.direction * sample->distance;
     thread_local std::vector<double> density;
@@ -206,6 +209,29 @@ void CameraWalk::sky_in_rain(const SharedPath& path, const Way& way) {
         sky_by_chance_in_rain(path, there, u[1] / chance, u_direction);
     else
         direct_light_in_rain(path, there, chance, (u[1] - chance) / (1.0 - chance), u_direction);
+}
+
+/// Where other lights are asked: as the rain sends what shines on all of it evenly or, as often, as
+/// lamps are near.
+std::optional<RainLight::Sample> CameraWalk::point_in_rain(const SharedPath& path, const Way& way,
+                                                           double u) {
+    const auto& [pieces, light, lanes] = rain_memory();
+    LaneValues extinction;
+    extinction.v.fill(0.0);
+    for (const RainLight::RainLanes& rain : lanes)
+        for (int k = 0; k < path.lanes.count; ++k) extinction[k] += rain.extinction[k];
+    const double begin = pieces.begin(0), end = pieces.end(pieces.size() - 1);
+    const DistanceDensity near =
+        prepared_.haze->lamps.near_density(way.origin + way.direction * begin, way.direction,
+                                           end - begin, extinction.first(path.lanes.count));
+    if (near.empty()) return light.sample(u);
+    std::optional<RainLight::Sample> sample = u < kByLamps
+                                                  ? light.at(begin + near.sample(u / kByLamps))
+                                                  : light.sample((u - kByLamps) / (1.0 - kByLamps));
+    if (sample)
+        sample->metres = 1.0 / (kByLamps * near.pdf(sample->distance - begin) +
+                                (1.0 - kByLamps) / sample->metres);
+    return sample;
 }
 
 /// Radiance, which comes from `towards`, as the path gets it from the point. False: it does not.

@@ -71,6 +71,8 @@ private:
     void dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, const LaneSet& lanes,
                     LaneValues& radiance);
     void sky_in_rain(const SharedPath& path, const Way& way);
+    std::optional<RainLight::Sample> point_in_rain(const SharedPath& path, const Way& way,
+                                                   double u);
     void direct_light_in_rain(const SharedPath& path, const RainPoint& at, double chance,
                               double u_choice, std::array<double, 2> u);
     void sky_by_chance_in_rain(const SharedPath& path, const RainPoint& at, double u_rain,

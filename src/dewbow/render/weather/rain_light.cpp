@@ -76,6 +76,15 @@ std::optional<RainLight::Sample> RainLight::sample(double u) const {
     return sample.metres > 0.0 ? std::optional(sample) : std::nullopt;
 }
 
+std::optional<RainLight::Sample> RainLight::at(double distance) const {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (distance < pieces_[i].begin || distance >= pieces_[i].end) continue;
+        const Sample sample = at(i, distance);
+        return sample.metres > 0.0 ? std::optional(sample) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 RainLight::Sample RainLight::at(std::size_t i, double distance) const {
     const Piece& piece = pieces_[i];
     Sample sample{i, distance, piece.source, {}, 0.0};

@@ -43,6 +43,9 @@ public:
     };
     /// @param u  in [0, 1). Nothing: nothing is sent.
     std::optional<Sample> sample(double u) const;
+    /// The same of a distance that was taken otherwise: nothing is sent from there, or at a density
+    /// of 1 / metres by sample().
+    std::optional<Sample> at(double distance) const;
 
 private:
     struct Piece {
