@@ -16,7 +16,7 @@ constexpr double kSigmas = 5.33;
 /// Midpoints in steps of a thousandth of a region, whose faces lie anywhere between them.
 constexpr double kQuadrature = 3e-3;
 /// Of sums of closed forms against each other.
-constexpr double kRounding = 1e-12;
+constexpr double kRounding = 1e-11;
 /// Where the drops' extinction differs a little from lane to lane, they share a distance that fits
 /// their sum.
 constexpr double kLanesDiffer = 1e-5;
