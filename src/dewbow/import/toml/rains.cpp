@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dewbow/import/toml/chaos.h"
 #include "dewbow/import/toml/rain_region.h"
 #include "dewbow/import/toml/storm_drops.h"
 #include "dewbow/import/toml/tables.h"
@@ -121,6 +122,7 @@ Rain read_rain(Table& table, std::size_t number, const RainContext& context) {
     rain.name = table.text("name", fmt::format("rain {}", number));
     rain.region = read_rain_region(table.document(), table.require("region"), context.folder,
                                    context.diagnostics);
+    rain.chaos = find_chaos(table, "size_m");
     rain.drops = read_drops(table, rain, context);
     table.finish();
     check_depth(table, rain);

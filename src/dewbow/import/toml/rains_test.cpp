@@ -95,6 +95,16 @@ TEST_F(RainsToml, PhasesAreAveragedOverTheSunsThatShine) {
     EXPECT_EQ(drops.disc_of({Angle{}, 0.0}), 0u);
 }
 
+TEST_F(RainsToml, ChaosMakesItUneven) {
+    const std::string dense = "region = \"everywhere\"\nextinction_per_km = 2\n" DROPS;
+    EXPECT_FALSE(rain_of(dense).chaos);
+    const Rain uneven = rain_of(dense + "chaos = { size_m = 50, gain = 2.5, bias = -0.8 }");
+    ASSERT_TRUE(uneven.chaos);
+    EXPECT_NEAR(uneven.chaos->base_frequency, 1.0 / 50.0, 1e-12);
+    EXPECT_EQ(uneven.chaos->gain, 2.5);
+    EXPECT_EQ(uneven.chaos->bias, -0.8);
+}
+
 TEST_F(RainsToml, WrongRainsAreNamed) {
     const std::string everywhere = "region = \"everywhere\"\n";
     const std::string rain = everywhere + DROPS;
