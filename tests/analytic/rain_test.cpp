@@ -101,7 +101,8 @@ TEST(Rain, FogBehindABowDoesNotEraseIt) {
 // A wall that glows behind the rain: dimmed by extinction, and nothing else is taken from it. (The
 // drops scatter a little of the wall's own light, too, if they scatter at all.)
 TEST(Rain, DarkensWhatIsBehindByExtinctionAlone) {
-    constexpr double kWall = 0.01, kOwnLight = 0.01;
+    // Of one sample: it is 1 % on average.
+    constexpr double kWall = 0.01, kOwnLight = 0.1;
     Scene dark = empty_scene(0), sunny = sunny_scene(kAltitude), without_wall = sunny;
     for (Scene* scene : {&dark, &sunny}) {
         add(*scene, Rectangle{4000.0 * m, 4000.0 * m}, lamp(kWall), translation({0, 0, -900}));
