@@ -84,7 +84,7 @@ TEST(CloudBank, IsUnevenAboutItsMean) {
 
 TEST(CloudBank, RefusesWithOneSentence) {
     CloudBank bank;
-    bank.top = -10.0 * deg;
+    bank.bottom = 20.0 * deg, bank.top = 10.0 * deg;
     try {
         validate(bank);
         FAIL() << "accepted";

@@ -227,7 +227,9 @@ constexpr WrongScene kWrongScenes[] = {
      "phase_deg is 120; it must be between 0 and 97"},
     {"[sky]\nsun = { altitude_deg = §91, azimuth_deg = 0 }", "altitude_deg is 91"},
     {"[sky]\nsun = §{ altitude_deg = 20 }", "needs azimuth_deg"},
-    {"[sky]\nsun = { §date = \"2026-06-21\", altitude_deg = 20, azimuth_deg = 1 }", "needs time"},
+    {"[sky]\nsun = { date = \"2026-06-21\", §altitude_deg = 20, azimuth_deg = 1 }",
+     "has both date and altitude_deg; keep one"},
+    {"[sky]\nsun = §{ date = \"2026-06-21\" }", "needs time"},
     {DATE("§\"2026-02-29\"", "12:00"), "there is no 29 February in 2026"},
     {DATE("§\"2026-06-21\"", "25:00"), "there is no 25:00 o'clock"},
     {"[sky]\nsun = §{ date = \"2026-12-21\", time = \"23:00\", latitude_deg = 48, longitude_deg = "

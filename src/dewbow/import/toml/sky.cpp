@@ -65,6 +65,7 @@ SkyPosition read_date_and_place(Table& table) {
 
 Body read_sun(const TomlDocument& document, const TomlValue& value) {
     Table table(document, value, "sky.sun");
+    table.at_most_one_of({"date", "altitude_deg"});
     Body sun;
     const bool by_date = table.find("date") || table.find("time") || table.find("latitude_deg") ||
                          table.find("longitude_deg");
