@@ -30,7 +30,7 @@ public:
         std::vector<Line> lines;
         for (const auto& [lambda_nm, rayleighs] : kLines)
             lines.push_back({lambda_nm * unit::nm, rayleighs * radiance_of_rayleigh(lambda_nm)});
-        lines_ = make_lines(lines);
+        lines_ = make_lines(lines, kLineWidth);
     }
     double operator()(double lambda_nm) const {
         constexpr double kContinuum = 3.0;  // R nm⁻¹
@@ -38,6 +38,8 @@ public:
     }
 
 private:
+    /// Wide enough for a packet's few wavelengths to find them; the eye sees the same colour.
+    static constexpr Wavelength kLineWidth = 20.0 * unit::nm;
     struct Glow {
         double lambda_nm, rayleighs;
     };
@@ -100,7 +102,7 @@ private:
                 out[k] += ground_albedo_ * 2.0 * sine / kParts * sky[k];
         }
     }
-    /// cd m⁻² of what `eval_lanes` writes: every nanometre, as wide as the lines.
+    /// cd m⁻² of what `eval_lanes` writes: every nanometre.
     template <class EvalLanes>
     static double luminance_of(const EvalLanes& eval_lanes) {
         constexpr std::size_t kCount = std::size_t(kLambdaMax_nm - kLambdaMin_nm);
