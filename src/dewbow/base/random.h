@@ -34,6 +34,7 @@ enum class Purpose : std::uint32_t {
     drop_distance,     ///< where a path meets a drop, and whether it does
     drop_direction,    ///< how the drop turns it
     rain_point,        ///< a point of rain, and of the light that shines on it
+    paper_fog,         ///< what jitters the paper's rainbow on a ray
 };
 
 /// A bijection of 64 bits in which every output bit depends on every input bit.

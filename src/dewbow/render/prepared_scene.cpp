@@ -26,6 +26,7 @@ PreparedScene::PreparedScene(const Scene& s)
       lights(s),
       camera(s) {
     camera_media = media_at(camera.position(), scene, media, accelerator);
+    if (scene.paper_rainbow) paper_fog.emplace(scene);
     if (media.scatters() || Weather::is_there(s)) haze.emplace(scene, lights, camera);
     if (Weather::is_there(scene)) weather.emplace(scene);
     albedo = albedo_of_materials(scene);

@@ -6,6 +6,7 @@
 #include "dewbow/render/haze/haze.h"
 #include "dewbow/render/light_set.h"
 #include "dewbow/render/media.h"
+#include "dewbow/render/paper_fog_light.h"
 #include "dewbow/render/scene_opacity.h"
 #include "dewbow/render/weather/weather.h"
 
@@ -24,11 +25,12 @@ struct PreparedScene {
     Accelerator accelerator;
     LightSet lights;
     CameraRays camera;
-    std::optional<Haze> haze;         ///< where a medium scatters, or there is weather
-    std::optional<Weather> weather;   ///< where a scene has any
-    MediaStack camera_media;          ///< what the camera stands in
-    std::vector<Colour<Xyz>> albedo;  ///< one a material, for the albedo layer
-    std::vector<bool> varies;         ///< one a material: surface_varies
+    std::optional<Haze> haze;                ///< where a medium scatters, or there is weather
+    std::optional<PaperFogLight> paper_fog;  ///< where the scene has the paper's rainbow
+    std::optional<Weather> weather;          ///< where a scene has any
+    MediaStack camera_media;                 ///< what the camera stands in
+    std::vector<Colour<Xyz>> albedo;         ///< one a material, for the albedo layer
+    std::vector<bool> varies;                ///< one a material: surface_varies
 };
 
 }  // namespace dewbow

@@ -12,6 +12,12 @@ int Scene::add(Material material) {
     return int(materials.size()) - 1;
 }
 
+const DistantLight* first_sun(const Scene& scene) {
+    for (const Light& light : scene.lights)
+        if (const auto* sun = std::get_if<DistantLight>(&light)) return sun;
+    return nullptr;
+}
+
 Scene make_empty_scene() {
     Scene scene;
     scene.surroundings =

@@ -16,6 +16,7 @@
 #include "dewbow/scene/rain_settings.h"
 #include "dewbow/scene/shape.h"
 #include "dewbow/sky/aerial.h"
+#include "dewbow/sky/paper_fog.h"
 #include "dewbow/spectrum/wavelengths.h"
 
 namespace dewbow {
@@ -48,6 +49,8 @@ struct Scene {
     std::vector<Rain> rains;
     /// The air that fills the surroundings, where distance is to tell; or nullptr.
     AerialPtr aerial;
+    /// Needs a DistantLight, whose first is its sun.
+    std::optional<PaperRainbow> paper_rainbow;
     CameraView camera;                ///< takes the picture
     std::vector<CameraView> cameras;  ///< all that a file offers, by name; its own choice first
     Film film;
@@ -95,5 +98,8 @@ std::shared_ptr<const ImageEnvironment> make_studio_environment();
 void validate(const Scene& scene);
 /// The part of it that is about camera, film and rendering.
 void validate_view(const Scene& scene);
+
+/// The first DistantLight, which is the sun of a rainbow; nullptr if there is none.
+const DistantLight* first_sun(const Scene& scene);
 
 }  // namespace dewbow

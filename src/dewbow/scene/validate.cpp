@@ -61,6 +61,12 @@ void validate(const Scene& scene) {
     check_shapes(scene);
     check_lights(scene);
     check_rains(scene);
+    if (scene.paper_rainbow) {
+        check_paper_rainbow(*scene.paper_rainbow);
+        if (!first_sun(scene))
+            fail("paper rainbow",
+                 "there is no sun, a light of type \"distant\", to stand opposite");
+    }
 }
 
 }  // namespace dewbow

@@ -3,14 +3,13 @@
 
 // Sun and moon as they shine on the top of the atmosphere.
 
-#include "dewbow/base/quantity.h"
+#include "dewbow/rainbow/sun_disc.h"
 #include "dewbow/spectrum/spectrum.h"
 
 namespace dewbow {
 
-/// Mean radii of the discs of sun and moon in the sky.
-///                                [Astronomical Almanac: 959.63″ at 1 au, 932.6″ at 384 400 km]
-inline constexpr Angle kSunRadius = 0.26656 * unit::deg;
+/// Mean radius of the moon's disc in the sky; the sun's is kSunRadius.
+///                                [Astronomical Almanac: 932.6″ at 384 400 km]
 inline constexpr Angle kMoonRadius = 0.25905 * unit::deg;
 
 /// Spectral irradiance of the sun above the atmosphere, W m⁻² nm⁻¹: 133 300 lx at 1 au.

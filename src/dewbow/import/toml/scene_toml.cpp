@@ -11,6 +11,7 @@
 #include "dewbow/import/toml/imports.h"
 #include "dewbow/import/toml/lights.h"
 #include "dewbow/import/toml/materials.h"
+#include "dewbow/import/toml/paper_rainbow.h"
 #include "dewbow/import/toml/rains.h"
 #include "dewbow/import/toml/settings.h"
 #include "dewbow/import/toml/shapes.h"
@@ -140,6 +141,7 @@ ParsedScene read_document(const TomlDocument& document, const std::filesystem::p
         read_sky(document, *sky, scene);
         expose_for_sky(film, scene.film);
     }
+    scene.paper_rainbow = read_paper_rainbow(document, root.find("paper_rainbow"));
     const bool lit_itself = brings_light(scene) || groups.bring_light(scene);
     const ImportContext context{names, folder, guest};
     const auto imports =

@@ -67,6 +67,10 @@ void LightWalk::splat(const SharedPath& path, const LaneSet& lanes, Vec3 point,
             value[k] *= scattered[k] * source_[lanes.id[std::size_t(k)]] * seen.pixels_per_m2;
         absorb(shadow_way(point, seen.direction, seen.distance, flight_key(path)), lanes, value,
                path.media);
+        if (prepared_.paper_fog) {  // as deep as what the camera sees behind the haze is far
+            const Hit behind = prepared_.accelerator.intersect({point, -seen.direction, {}});
+            look_through_fog(-seen.direction, seen.distance + behind.t, path, lanes, value);
+        }
         const SplatLight light(packet_, lanes, value);
         prepared_.camera.for_each_pixel(
             seen, [&](int x, int y, double weight) { splats_.add(x, y, weight, light); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/caustics/light_walk.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dewbow::caustics {
@@ -75,9 +76,22 @@ void LightWalk::splat(const SharedPath& path, const Scatterer& at, const Seen& s
     absorb(
         shadow_way(y1.position, seen.direction, seen.distance, vertex_key(path.depth, path.branch)),
         path.lanes, value, prepared_.camera_media);
+    look_through_fog(-seen.direction, seen.distance, path, path.lanes, value);
     const SplatLight light(packet_, path.lanes, value);
     prepared_.camera.for_each_pixel(
         seen, [&](int x, int y, double density) { splats_.add(x, y, density, light); });
+}
+
+/// As the camera does, where the paper's rainbow stands before what it sees (CameraWalk::on_sight).
+void LightWalk::look_through_fog(Vec3 direction, double distance, const SharedPath& path,
+                                 const LaneSet& lanes, LaneValues& value) {
+    if (!prepared_.paper_fog || prepared_.camera_media.interior() != 0) return;
+    FogVeil veil;
+    const auto u = key_.two(flight_key(path), Purpose::paper_fog);
+    if (!prepared_.paper_fog->on_ray(direction, distance, u, lanes, share_colours(),
+                                     light_colours(), veil))
+        return;
+    for (int k = 0; k < lanes.count; ++k) value[k] *= 1.0 - std::min(veil.replaced[k], 1.0);
 }
 
 double LightWalk::weight(double note, double ratio) const {

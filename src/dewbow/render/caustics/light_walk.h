@@ -35,6 +35,8 @@ private:
     void on_rough_turn(walk::SharedPath& lane, const walk::RoughGlass& at) override;
     void splat(const walk::SharedPath& path, const LaneSet& lanes, Vec3 point,
                const LaneValues& scattered);
+    void look_through_fog(Vec3 direction, double distance, const walk::SharedPath& path,
+                          const LaneSet& lanes, LaneValues& value);
     double weight(double note, double ratio) const;
     double density_of_direct(Vec3 receiver);
 

@@ -10,8 +10,8 @@
 
 namespace dewbow {
 
-/// `scene` must outlive the estimator. Throws InputError if the film has spectral bins, or if the
-/// samples of the spectrum leave a channel without light.
+/// `scene` must outlive the estimator. Throws InputError if the film has spectral bins, if it
+/// rains in the scene, or if the samples of the spectrum leave a channel without light.
 std::unique_ptr<Estimator> make_distributed_1989_estimator(const Scene& scene);
 std::string distributed_1989_settings(const RenderSettings& settings);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dewbow/render/distributed_1989/method.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "dewbow/base/error.h"
@@ -26,16 +28,32 @@ void refuse_spectral_bins(const Scene& scene) {
                      "--estimator path can; or ask for 0 bins");
 }
 
+/// 1989 had no medium that scatters; its own rainbow is fog.
+void refuse_rain(const Scene& scene) {
+    if (scene.rains.empty()) return;
+    const std::string& name = scene.rains.front().name;
+    throw InputError(fmt::format("distributed_1989 has no light from points in space, and so no "
+                                 "rain: it cannot render {}",
+                                 name.empty() ? "rain 1" : "the rain \"" + name + "\""),
+                     "--estimator path can; the paper's own rainbow is [paper_rainbow]");
+}
+
+/// `scene`, if the method can do what it asks for.
+const Scene& feasible(const Scene& scene) {
+    refuse_spectral_bins(scene);
+    refuse_rain(scene);
+    return scene;
+}
+
 }  // namespace
 
 Method::Method(const Scene& scene)
     : sampling_(make_spectral_model(scene.render.distributed_1989.model),
                 scene.render.distributed_1989.sampling),
-      told_(scene_of_1989(scene, sampling_.model())),
+      told_(scene_of_1989(feasible(scene), sampling_.model())),
       prepared_(told_),
       white_radiance_(scene.film.white_luminance / (kLuminousEfficacy * cie_y_integral())),
       white_(make_scaled(find_illuminant("D65"), white_radiance_)) {
-    refuse_spectral_bins(scene);
     prepared_.albedo = albedo_of_materials(scene);
     if (carries_rgb())
         make_channels();

@@ -79,6 +79,8 @@ MonitorRgb RayTree::follow(const TracedRay& first, RayFamily& family) {
 void RayTree::trace(TracedRay ray, RayFamily& family, MonitorRgb& sum) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(ray.ray);
+        if (prepared_.paper_fog && ray.media.interior() == 0)
+            look_through_fog(ray, family, hit, sum);
         if (!hit) {
             if (ray.sees_lamps) add_infinite(ray, family, sum);
             return;

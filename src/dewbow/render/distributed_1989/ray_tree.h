@@ -11,7 +11,8 @@
 // Carpenter 1984]. Of what rough surfaces give each other there is nothing but one ray from glossy
 // ones.
 //
-// ray_tree.cpp follows rays, boundary.cpp has what glass does to them, lamps.cpp the light.
+// ray_tree.cpp follows rays, boundary.cpp has what glass does to them, lamps.cpp the light,
+// fog.cpp the rainbow.
 
 #include <optional>
 
@@ -103,6 +104,9 @@ private:
     BandValues reflectance(RayFamily& family, const Interface& face);
 
     // Light.
+    void look_through_fog(TracedRay& ray, RayFamily& family, const Hit& hit, MonitorRgb& sum) const;
+    void fog_in_channels(TracedRay& ray, RayFamily& family, const PaperFog::Share& share,
+                         MonitorRgb& sum) const;
     void add_lamp(const TracedRay& ray, RayFamily& family, const Hit& hit, MonitorRgb& sum) const;
     void add_infinite(const TracedRay& ray, RayFamily& family, MonitorRgb& sum) const;
     bool scatter(const Meeting& at, const Material& material) const;

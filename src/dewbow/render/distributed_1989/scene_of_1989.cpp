@@ -195,6 +195,7 @@ RgbBasis reflectance_basis_in_channels(const SpectralModel& model) {
 Scene scene_of_1989(const Scene& scene, const SpectralModel& model) {
     const Distributed1989Settings& settings = scene.render.distributed_1989;
     Scene told = scene;
+    told.aerial = nullptr;
     ToldMedia told_media(settings);
     told_media(told.surroundings);
     for (Material& material : told.materials) told_media(material);

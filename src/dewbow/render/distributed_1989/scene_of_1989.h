@@ -27,7 +27,8 @@ SpectrumPtr channels_of_reflectance(const Spectrum& reflectance, const SpectralM
 RgbBasis light_basis_in_channels(const SpectralModel& model);
 RgbBasis reflectance_basis_in_channels(const SpectralModel& model);
 
-/// With the indices and colours that its settings of distributed_1989 ask for, and without haze:
+/// With the indices and colours that its settings of distributed_1989 ask for, and without haze
+/// and aerial perspective:
 /// the method has no light from points in space.
 Scene scene_of_1989(const Scene& scene, const SpectralModel& model);
 

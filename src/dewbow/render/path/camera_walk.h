@@ -50,6 +50,7 @@ private:
     void on_scattered(SharedPath& path, const Scatterer& at, Vec3 wi) override;
     void on_rough_glass(const SharedPath& lane, const RoughGlass& at) override;
     void on_lamp(const SharedPath& path, const Hit& hit) override;
+    void on_sight(SharedPath& path, const Hit& hit) override;
     double choice_of_lanes(const OpenPath& path) const override;
 
     PixelSample behind_polariser();

@@ -76,6 +76,11 @@ void PacketWalk::trace_open(OpenPath path) {
 void PacketWalk::open_arrive(OpenPath& path, int k, const HitLanes& hits) {
     const auto i = std::size_t(k);
     const Hit& hit = hits[i];
+    if (sees_fog(path.media[i], path.scattered)) {
+        SharedPath lane = lane_of(path, k);
+        on_sight(lane, hit);
+        path.beta[k] = lane.beta[0];
+    }
     if (scatters(path.media[i], path.depth)) on_flight(lane_of(path, k), hit);
     if (settings_.rain.multiple() && !open_in_rain(path, k, hit)) return;
     if (in_weather(path.media[i])) {

@@ -94,6 +94,9 @@ protected:
     /// It goes through what scatters, haze or weather, to the surface that it meets, if any. What
     /// that takes away on this way has not been taken yet.
     virtual void on_flight(const SharedPath&, const Hit&) {}
+    /// It looks along its way to what it meets, from the camera or by way of smooth surfaces alone,
+    /// through the surroundings of a scene with the paper's rainbow.
+    virtual void on_sight(SharedPath&, const Hit&) {}
     /// It ran into nothing.
     virtual void on_leaving(const SharedPath&) {}
     /// The number in [0, 1) by which opened lanes choose between reflection and refraction.
@@ -113,6 +116,7 @@ protected:
     }
     /// What colours of light and of surfaces are at the packet's wavelengths.
     RgbLightLanes& light_colours() { return memory_.light; }
+    RgbReflectanceLanes& share_colours() { return memory_.reflectance; }
     PacketMedia& packet_media() { return *memory_.media; }
     PacketWeather& packet_weather() { return memory_.weather; }
     RainMemory& rain_memory() { return memory_.rain; }
@@ -199,6 +203,10 @@ private:
     /// Whether light is scattered on the way there, and such paths are looked for.
     bool scatters(MediaStack media, int depth) {
         return depth < settings_.max_depth && (in_haze(media) || in_weather(media));
+    }
+    bool sees_fog(MediaStack media, bool scattered) const {
+        return prepared_.paper_fog && start_ == Start::camera && !scattered &&
+               media.interior() == 0;
     }
     bool stops_shadows(int shape) const { return !prepared_.see_through[std::size_t(shape)]; }
     void indices(const LaneSet& lanes, const Boundary& boundary, LaneValues& eta);

@@ -43,6 +43,7 @@ void PacketWalk::finish_pending() {
 void PacketWalk::trace(SharedPath path) {
     for (;;) {
         const Hit hit = prepared_.accelerator.intersect(path.ray);
+        if (sees_fog(path.media, path.scattered)) on_sight(path, hit);
         if (scatters(path.media, path.depth)) on_flight(path, hit);
         if (may_meet_drops(path)) {
             const Flight flight = fly_in_rain(path, hit);
