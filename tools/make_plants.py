@@ -214,8 +214,13 @@ def meadow(seed, count, near, far, azimuth_deg, half_angle_deg):
 def clouds(seed, count):
     """A table of clouds over the land behind the viewer of examples/bows/shafts.toml: middle, turn, radius."""
     rng = random.Random(seed)
-    return [(rng.uniform(-4500, 4500), rng.uniform(1100, 1300), rng.uniform(1100, 5200), 0, rng.uniform(150, 420))
+    return [(rng.uniform(-4500, 4500), rng.uniform(1100, 1300), rng.uniform(-200, 4300), 0, rng.uniform(220, 520))
             for _ in range(count)]
+
+
+# Trees that stand out in examples/landscape.toml.
+OAKS = [(78, 0, -46, 40, 1.15), (160, 0, 84, 120, 1.1), (172, 0, 96, 10, 0.95), (150, 0, 100, 200, 1.0), (262, 0, -70, 77, 1.0)]
+ASHES = [(92, 0, -60, 0, 0.8), (181, 0, 82, 90, 0.9), (240, 0, -84, 30, 1.0), (252, 0, -96, 160, 1.1)]
 
 
 def in_valley(x, z):
@@ -225,21 +230,21 @@ def in_valley(x, z):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    broadleaf(1, 12.0, 4.8, 34, 80, 0.30, (0.055, 0.105, 0.024)).write(folder / 'oak.ply')
-    broadleaf(2, 15.0, 3.6, 34, 72, 0.30, (0.075, 0.125, 0.030)).write(folder / 'ash.ply')
-    fir(3, 15.0, 3.6, 20, 14, 0.33, (0.026, 0.058, 0.026)).write(folder / 'fir.ply')
-    bush(4, (2.2, 1.8, 1.0), 2600, 0.055, (0.035, 0.075, 0.018)).write(folder / 'hedge.ply')
+    broadleaf(1, 12.0, 4.8, 34, 80, 0.30, (0.085, 0.150, 0.036)).write(folder / 'oak.ply')
+    broadleaf(2, 15.0, 3.6, 34, 72, 0.30, (0.120, 0.185, 0.045)).write(folder / 'ash.ply')
+    fir(3, 15.0, 3.6, 20, 14, 0.33, (0.045, 0.088, 0.040)).write(folder / 'fir.ply')
+    bush(4, (2.2, 1.8, 1.0), 2600, 0.055, (0.050, 0.100, 0.026)).write(folder / 'hedge.ply')
     tuft(5, 60, 0.30, 0.20, 0.006, (0.085, 0.150, 0.030)).write(folder / 'grass.ply')
 
-    written(folder / 'lawn.csv', meadow(18, 3000, 0.7, 9, 0, 62))
+    written(folder / 'lawn.csv', meadow(18, 4000, 0.3, 9, 0, 100))
     written(folder / 'park-oak.csv', groves(19, 90, 12, 60, 700, 18, lambda x, z: True))
     written(folder / 'park-fir.csv', groves(20, 160, 8, 90, 900, 25, lambda x, z: True))
 
-    written(folder / 'clouds.csv', clouds(21, 150))
+    written(folder / 'clouds.csv', clouds(21, 70))
 
-    written(folder / 'landscape-oak.csv', groves(11, 260, 40, 150, 1500, 30, in_valley))
-    written(folder / 'landscape-ash.csv', groves(12, 420, 40, 200, 2000, 40, in_valley))
-    written(folder / 'landscape-fir.csv', groves(13, 900, 22, 350, 2400, 70, in_valley))
+    written(folder / 'landscape-oak.csv', groves(11, 320, 40, 150, 1500, 22, in_valley) + OAKS)
+    written(folder / 'landscape-ash.csv', groves(12, 700, 40, 220, 2000, 26, in_valley) + ASHES)
+    written(folder / 'landscape-fir.csv', groves(13, 1800, 22, 380, 2400, 55, in_valley))
     written(folder / 'landscape-hedge.csv', hedgerow(14, (95, -120), (150, 30), 1.9) +
             hedgerow(15, (150, 30), (210, 150), 1.9) + hedgerow(16, (150, 30), (420, -10), 1.9))
     written(folder / 'landscape-grass.csv', meadow(17, 2600, 3.5, 45, 85, 58))

@@ -4,8 +4,6 @@
 // `rainbow {}`. What that leaves to the user is set as well as it can be: two bows with the radii and widths of
 // docs/rainbow.md, the primary with red outside, the secondary reversed, colours softened at their edges, no jitter.
 // docs/rain.md says how it is run.
-//
-// Declared on the command line by Declare=: Sky_Scale, brightness of the sky's picture.
 
 #version 3.7;
 global_settings {
@@ -18,14 +16,13 @@ global_settings {
 
 light_source { Sun_Direction * 1e6 color Sun_Colour parallel point_at 0 }
 
-// The clear sky and its cloud, rendered by us without rain: a panorama with north in its middle.
-sky_sphere { pigment { image_map { exr "sky.exr" gamma 1 map_type 1 interpolate 2 } scale <-1, 1, 1> rotate 90 * y } }
+// The clear sky and its cloud, as the scene has them.
+sky_sphere { pigment { image_map { exr "sky.exr" gamma 1 map_type 1 interpolate 2 } rotate -90 * y } }
 
 // Haze. A constant fog (type 1) would erase the bows, so it is one that thins with height.
 fog { fog_type 2 distance 20000 rgb <0.55, 0.60, 0.66> * 0.12 fog_offset 200 fog_alt 400 }
 
-// Colours of the primary from its outer edge inwards, rgbt: the sky shows through by the last number.
-#declare Strength = 0.62;
+// A bow of the colours that docs/rain.md describes; the sky shows through by their last number.
 #macro Bow(Radius, Width, Outwards, Clear)
   rainbow {
     angle Radius width Width

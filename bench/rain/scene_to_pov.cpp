@@ -3,14 +3,16 @@
 // Tells a scene's camera, sun and meshes to POV-Ray, so that its `rainbow {}` can be looked at over
 // the same ground as ours.
 //
-//     bench_scene_to_pov examples/landscape.toml scene.inc
+//     bench_scene_to_pov examples/landscape.toml scene.inc sky.exr
 //
-// The file declares Sun_Direction (towards the sun), Sun_Colour, and writes `camera` and the
+// scene.inc declares Sun_Direction (towards the sun), Sun_Colour, and writes `camera` and the
 // meshes, which are shared between places as in the scene. Diffuse materials alone are known:
-// colours of vertices, or one colour. 1 is the film's white.
+// colours of vertices, or one colour. sky.exr is the scene's sky without sun and rain, an
+// equirectangular picture with north in its middle. 1 is the film's white.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -20,6 +22,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dewbow/base/file.h"
+#include "dewbow/image/exr.h"
 #include "dewbow/import/import.h"
 #include "dewbow/spectrum/cie.h"
 #include "dewbow/spectrum/rgb.h"
@@ -126,6 +130,54 @@ void write_shape(std::ostream& out, const Shape& shape, const Material& material
     out << " }\n";
 }
 
+/// Size of the sky's picture, and wavelengths that a colour is summed from.
+constexpr int kSkyWidth = 1024, kSkyHeight = 512, kWavelengths = 48;
+
+/// What the scene's sky sends along a direction, of the film's white.
+class SkyColour {
+public:
+    explicit SkyColour(const Scene& scene)
+        : scene_(scene), white_xyz_(scene.film.white_luminance / kLuminousEfficacy) {
+        for (int k = 0; k < kWavelengths; ++k)
+            lambda_nm_.push_back(380.0 + (k + 0.5) * kStep_nm);
+    }
+    Colour<LinearSrgb> along(Dir<World> direction) const {
+        std::vector<double> radiance(lambda_nm_.size());
+        Colour<Xyz> xyz{};
+        for (const Light& light : scene_.lights) {
+            const auto* dome = std::get_if<SkyDomePtr>(&light);
+            if (!dome) continue;
+            (*dome)->radiance_lanes(direction, lambda_nm_, radiance);
+            for (std::size_t k = 0; k < radiance.size(); ++k) {
+                const auto bar = cie_xyz_bar(lambda_nm_[k]);
+                for (std::size_t c = 0; c < 3; ++c) xyz[c] += bar[c] * radiance[k] * kStep_nm;
+            }
+        }
+        return rgb_from_xyz<LinearSrgb>(xyz * (1.0 / white_xyz_));
+    }
+
+private:
+    static constexpr double kStep_nm = (780.0 - 380.0) / kWavelengths;
+    const Scene& scene_;
+    double white_xyz_;
+    std::vector<double> lambda_nm_;
+};
+
+std::string sky_picture(const Scene& scene) {
+    Image image{kSkyWidth, kSkyHeight, {{"R", {}}, {"G", {}}, {"B", {}}}};
+    const SkyColour sky(scene);
+    for (int y = 0; y < kSkyHeight; ++y)
+        for (int x = 0; x < kSkyWidth; ++x) {
+            const double altitude = std::numbers::pi * (0.5 - (y + 0.5) / kSkyHeight);
+            const double azimuth = 2.0 * std::numbers::pi * ((x + 0.5) / kSkyWidth - 0.5);
+            const auto rgb = sky.along({{std::cos(altitude) * std::sin(azimuth), std::sin(altitude),
+                                         -std::cos(altitude) * std::cos(azimuth)}});
+            for (std::size_t c = 0; c < 3; ++c)
+                image.channels[c].values.push_back(float(std::max(rgb[c], 0.0)));
+        }
+    return encode_exr(image, {}, {});
+}
+
 void write_scene(std::ostream& out, const Scene& scene) {
     write_sun(out, scene);
     write_camera(out, scene);
@@ -144,13 +196,15 @@ void write_scene(std::ostream& out, const Scene& scene) {
 }  // namespace dewbow::bench
 
 int main(int count, char** arguments) {
-    if (count != 3) {
-        std::fputs("bench_scene_to_pov SCENE.toml OUT.inc\n", stderr);
+    if (count != 4) {
+        std::fputs("bench_scene_to_pov SCENE.toml OUT.inc SKY.exr\n", stderr);
         return 2;
     }
     try {
+        const dewbow::Scene scene = dewbow::load_scene(arguments[1]).scene;
         std::ofstream out(arguments[2]);
-        dewbow::bench::write_scene(out, dewbow::load_scene(arguments[1]).scene);
+        dewbow::bench::write_scene(out, scene);
+        dewbow::write_file_atomically(arguments[3], dewbow::bench::sky_picture(scene));
         return out.flush() ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

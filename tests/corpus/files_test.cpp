@@ -44,6 +44,12 @@ TEST(Files, ExamplesShowSomething) {
     for (const auto& file : files) expect_a_picture(file);
 }
 
+TEST(Files, BowsShowSomething) {
+    const auto files = scenes_in(kExamples / "bows");
+    EXPECT_GE(files.size(), 10u);
+    for (const auto& file : files) expect_a_picture(file);
+}
+
 TEST(Files, SharedScenesAndMeshesShowSomething) {
     if (!std::filesystem::exists(kShared)) GTEST_SKIP() << kShared << " is not there";
     for (const char* folder : {"gltf", "mesh"}) {
