@@ -18,6 +18,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNextSun = 0xc2b2ae3du, kOtherLights = 0x27d4eb2fu;
 /// Of the way from the sun to a mirror.
 constexpr std::uint32_t kBehindMirror = 0x165667b1u;
+/// Points of a camera's flight from which the sun is looked for, evenly by what they send: where
+/// shafts cut a flight, four leave a small part of the noise of one.
+constexpr int kPointsOfSun = 4;
 /// Share of the points at which the direction of skylight is chosen by the drops' phase function,
 /// which the fog's forward peak needs, and not by the sky's brightness.
 constexpr double kByChance = 0.5;
@@ -93,10 +96,25 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     LaneValues haze;
     light.weigh(pieces, lanes, haze_on(path, haze), count);
 
+    // A mirror changes what was weighed; points of uneven rain are dear, and far flights count
+    // less.
+    const bool once = sun.mirror || weather.uneven() || path.depth > 0;
+    const int points = once ? 1 : kPointsOfSun;
     const std::uint32_t at = way.at + kNextSun * std::uint32_t(sun_index + 1);
-    const std::optional<RainLight::Sample> sample = light.sample(key_.one(at, Purpose::rain_point));
-    if (!sample) return;
-    const Vec3 point = way.origin + way.direction * sample->distance;
+    const double u = key_.one(at, Purpose::rain_point);
+    for (int i = 0; i < points; ++i)
+        if (const auto sample = light.sample((i + u) / points))
+            sun_at_point_of_rain(path, way, sun, *sample, at, 1.0 / points);
+}
+
+/// @param share  of what the flight sends that the point stands for.
+void CameraWalk::sun_at_point_of_rain(const SharedPath& path, const Way& way, const RainSun& sun,
+                                      const RainLight::Sample& sample, std::uint32_t at,
+                                      double share) {
+    const Weather& weather = *prepared_.weather;
+    auto& lanes = rain_memory().lanes;
+    const int count = path.lanes.count;
+    const Vec3 point = way.origin + way.direction * sample.distance;
     const auto seen = prepared_.lights.infinite()[std::size_t(sun.light)].sample(
         {key_.third(at, Purpose::rain_point), key_.fourth(at, Purpose::rain_point)});
     if (!seen) return;
@@ -110,22 +128,22 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     }
     LaneValues radiance;
     radiance.v.fill(0.0);
-    const auto there = pieces.rains(sample->piece);
+    const auto there = rain_memory().pieces.rains(sample.piece);
     for (std::size_t i = 0; i < lanes.size(); ++i) {
         if (!there[i].inside) continue;
         const double density = weather.density(i, point) / weather.usual_density(i);
         for (int k = 0; k < count; ++k) radiance[k] += lanes[i].source[k] * density;
     }
     if (!weather.uneven()) {
-        for (int k = 0; k < count; ++k) radiance[k] *= sample->left[k];
-        weather.dim_by_air({way.origin, way.direction, sample->distance, at, way.purpose},
+        for (int k = 0; k < count; ++k) radiance[k] *= sample.left[k];
+        weather.dim_by_air({way.origin, way.direction, sample.distance, at, way.purpose},
                            path.lanes, radiance);
     } else {
-        absorb({way.origin, way.direction, sample->distance, at, Purpose::rain_on_flight},
+        absorb({way.origin, way.direction, sample.distance, at, Purpose::rain_on_flight},
                path.lanes, radiance, path.media);
         dim_to_sun(sun, point, at, path.lanes, radiance);
     }
-    add(path, radiance, sample->metres);
+    add(path, radiance, share * sample.metres);
 }
 
 /// What each rain sends of the sun's light becomes what it sends of the light that a mirror leaves,

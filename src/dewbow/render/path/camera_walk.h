@@ -71,6 +71,8 @@ private:
                         const LaneSet& lanes, std::span<RainLight::RainLanes> rains) const;
     void dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, const LaneSet& lanes,
                     LaneValues& radiance);
+    void sun_at_point_of_rain(const SharedPath& path, const Way& way, const RainSun& sun,
+                              const RainLight::Sample& sample, std::uint32_t at, double share);
     void sky_in_rain(const SharedPath& path, const Way& way);
     std::optional<RainLight::Sample> point_in_rain(const SharedPath& path, const Way& way,
                                                    double u);
