@@ -138,8 +138,7 @@ class SkyColour {
 public:
     explicit SkyColour(const Scene& scene)
         : scene_(scene), white_xyz_(scene.film.white_luminance / kLuminousEfficacy) {
-        for (int k = 0; k < kWavelengths; ++k)
-            lambda_nm_.push_back(380.0 + (k + 0.5) * kStep_nm);
+        for (int k = 0; k < kWavelengths; ++k) lambda_nm_.push_back(380.0 + (k + 0.5) * kStep_nm);
     }
     Colour<LinearSrgb> along(Dir<World> direction) const {
         std::vector<double> radiance(lambda_nm_.size());
