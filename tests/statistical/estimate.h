@@ -16,7 +16,7 @@ struct View {
 };
 
 /// How light is carried, and what a test plants.
-struct Way {
+struct Sampling {
     int packet = 8;
     WavelengthSampling sampling = WavelengthSampling::visual;
     std::size_t samples = 0;
@@ -25,7 +25,7 @@ struct Way {
 };
 
 /// Sums of XYZ (white of the constant spectrum 1: Y = 1) minus `expected`.
-inline VectorSums estimate(const Scene& scene, const View& view, const Way& way,
+inline VectorSums estimate(const Scene& scene, const View& view, const Sampling& way,
                            const Triple& expected = {}) {
     const PreparedScene prepared(scene);
     const MediaStack start = media_at(view.eye, scene, prepared.media, prepared.accelerator);

@@ -40,11 +40,11 @@ Compared compare(const Scene& scene, const View& view, double samples_factor = 1
     const VectorSums one =
         estimate(scene, view, {1, WavelengthSampling::visual, times(kSamplesOfOne), 20});
     Compared result;
-    constexpr Way kWays[] = {{4, WavelengthSampling::visual},
+    constexpr Sampling kWays[] = {{4, WavelengthSampling::visual},
                              {8, WavelengthSampling::visual},
                              {16, WavelengthSampling::visual},
                              {8, WavelengthSampling::uniform}};
-    for (Way way : kWays) {
+    for (Sampling way : kWays) {
         way.samples = times(kSamples);
         way.seed = std::uint64_t(way.packet) * 2 + std::uint64_t(way.sampling);
         way.plant = plant;
