@@ -8,7 +8,7 @@
 #version 3.7;
 global_settings {
   assumed_gamma 1
-  radiosity { count 120 error_bound 0.4 recursion_limit 1 nearest_count 8 low_error_factor 0.5 pretrace_end 0.01 }
+  radiosity { count 80 error_bound 0.5 recursion_limit 1 nearest_count 8 low_error_factor 0.5 pretrace_end 0.01 }
 }
 #default { finish { ambient 0 diffuse 1 } }
 
