@@ -211,13 +211,6 @@ def meadow(seed, count, near, far, azimuth_deg, half_angle_deg):
     return places
 
 
-def clouds(seed, count):
-    """A table of clouds over the land behind the viewer of examples/bows/shafts.toml: middle, turn, radius."""
-    rng = random.Random(seed)
-    return [(rng.uniform(-4500, 4500), rng.uniform(1100, 1300), rng.uniform(-200, 4300), 0, rng.uniform(220, 520))
-            for _ in range(count)]
-
-
 # Trees that stand out in examples/landscape.toml.
 OAKS = [(78, 0, -46, 40, 1.15), (160, 0, 84, 120, 1.1), (172, 0, 96, 10, 0.95), (150, 0, 100, 200, 1.0), (262, 0, -70, 77, 1.0)]
 ASHES = [(92, 0, -60, 0, 0.8), (181, 0, 82, 90, 0.9), (240, 0, -84, 30, 1.0), (252, 0, -96, 160, 1.1)]
@@ -240,7 +233,6 @@ def main():
     written(folder / 'park-oak.csv', groves(19, 90, 12, 60, 700, 18, lambda x, z: True))
     written(folder / 'park-fir.csv', groves(20, 160, 8, 90, 900, 25, lambda x, z: True))
 
-    written(folder / 'clouds.csv', clouds(21, 70))
 
     written(folder / 'landscape-oak.csv', groves(11, 320, 40, 150, 1500, 22, in_valley) + OAKS)
     written(folder / 'landscape-ash.csv', groves(12, 700, 40, 220, 2000, 26, in_valley) + ASHES)
