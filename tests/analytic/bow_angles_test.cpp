@@ -160,9 +160,9 @@ TEST(BowAngles, StandWhereTheTableSays) {
     const Profile table = table_of(request);
     const Scene scene = scene_of(make_drop_cloud(request));
     EXPECT_LT(misplaced_deg(perspective(scene, 24.0, 47.0, 400), table), kPlace_deg);
-    EXPECT_LT(misplaced_deg(perspective(scene, 60.0, 40.0, 600), table), kPlace_deg);
+    EXPECT_LT(misplaced_deg(perspective(scene, 60.0, 40.0, 1200), table), kPlace_deg);
     EXPECT_LT(misplaced_deg(perspective(scene, 110.0, 25.0, 2400), table), kPlace_deg);
-    EXPECT_LT(misplaced_deg(panorama(scene, 1800), table), kPlace_deg);
+    EXPECT_LT(misplaced_deg(panorama(scene, 3600), table), kPlace_deg);
 }
 
 // A sun that stands 0.1° higher is found: the measure is no blunter than what is asked of it.

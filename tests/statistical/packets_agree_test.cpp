@@ -41,9 +41,9 @@ Compared compare(const Scene& scene, const View& view, double samples_factor = 1
         estimate(scene, view, {1, WavelengthSampling::visual, times(kSamplesOfOne), 20});
     Compared result;
     constexpr Sampling kWays[] = {{4, WavelengthSampling::visual},
-                             {8, WavelengthSampling::visual},
-                             {16, WavelengthSampling::visual},
-                             {8, WavelengthSampling::uniform}};
+                                  {8, WavelengthSampling::visual},
+                                  {16, WavelengthSampling::visual},
+                                  {8, WavelengthSampling::uniform}};
     for (Sampling way : kWays) {
         way.samples = times(kSamples);
         way.seed = std::uint64_t(way.packet) * 2 + std::uint64_t(way.sampling);

@@ -10,9 +10,6 @@
 namespace dewbow::checks {
 namespace {
 
-/// Light is gone within a micrometre: what is denser is no rain but a slip of the pen.
-constexpr double kMostExtinction_per_m = 1e6;
-
 std::string text(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
 struct CheckRegion {
@@ -50,10 +47,6 @@ void check_drops(const std::string& who, const DropCloudPtr& drops) {
     double extinction = 0.0;
     drops->extinction_lanes({&kMiddle_nm, 1}, {&extinction, 1});
     if (!(extinction > 0.0)) fail(who, "it is empty: its drops dim no light");
-    if (!(extinction <= kMostExtinction_per_m)) {
-        fail(who, fmt::format("its extinction is {:.6g} per m; it must be at most {:.6g}",
-                              extinction, kMostExtinction_per_m));
-    }
 }
 
 void check_chaos(const std::string& who, const Chaos& chaos) {
