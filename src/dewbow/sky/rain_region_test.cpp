@@ -183,7 +183,8 @@ TEST(ConvexRegion, TheLawsIntegralIsThatOfAdaptiveQuadrature) {
     EXPECT_GT(met, 300);
 }
 
-// A layer seen against the sun: the closed form of the reference, by way of regions and pieces.
+// A layer seen against the sun: light goes back by the way that it came, so that the integral of
+// e^(−2t) over depths up to τ, (1 − e^(−2τ)) / 2, is found by way of regions and pieces.
 TEST(ConvexRegion, TheAntisolarPointOfALayer) {
     const Vec3 sun = normalised({0.3, 0.5, 0.2});
     for (const double tau : {1e-6, 0.1, 1.0, 5.0, 1e9}) {

@@ -64,9 +64,9 @@ std::span<const double> CameraWalk::haze_on(const SharedPath& path, LaneValues& 
     return extinction.first(path.lanes.count);
 }
 
-/// The law on the whole flight; whether the sun is seen is asked at one point of it, which is taken
-/// in proportion to what it sends. The sun's disc is in the phase function, so that only what
-/// stands before it makes noise; to the rain itself the sun stands at its middle.
+/// The law on the whole flight; whether the sun is seen is asked at points of it (kPointsOfSun, or
+/// one), which are taken in proportion to what it sends. The sun's disc is in the phase function,
+/// so that only what stands before it makes noise; to the rain itself the sun stands at its middle.
 void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t sun_index) {
     const Weather& weather = *prepared_.weather;
     const RainSun& sun = weather.suns()[sun_index];
