@@ -49,6 +49,13 @@ void check_drops(const std::string& who, const DropCloudPtr& drops) {
     if (!(extinction > 0.0)) fail(who, "it is empty: its drops dim no light");
 }
 
+/// Sunlight comes into it undimmed (docs/conventions.md): there is no loss that would end the sum
+/// over orders.
+bool is_endless(const Rain& rain) {
+    const auto* region = std::get_if<ConvexRegion>(&rain.region);
+    return region && region->half_spaces().empty();
+}
+
 void check_chaos(const std::string& who, const Chaos& chaos) {
     check_range(who, "octaves of its chaos", chaos.octaves, 1, kMostChaosOctaves);
     check_positive(who, "base frequency of its chaos", chaos.base_frequency);
@@ -68,6 +75,10 @@ void check_rains(const Scene& scene) {
         std::visit(CheckRegion{who}, rain.region);
         check_drops(who, rain.drops);
         if (rain.chaos) check_chaos(who, *rain.chaos);
+        if (scene.render.rain.multiple() && is_endless(rain))
+            fail(who,
+                 "it has no end, so that light of all orders would come from everywhere; "
+                 "render.rain.orders above 1 needs a layer, a box, a curtain or a mesh");
     }
 }
 

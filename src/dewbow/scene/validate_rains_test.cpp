@@ -37,8 +37,9 @@ MeshRegion tetrahedron(std::size_t faces) {
             Transform<World, Object>(scaling({2, 2, 2}))};
 }
 
-std::string complaint(Rain rain) {
+std::string complaint(Rain rain, int orders = 1) {
     Scene scene = make_empty_scene();
+    scene.render.rain.orders = orders;
     scene.rains.push_back(std::move(rain));
     try {
         validate(scene);
@@ -52,6 +53,18 @@ TEST(ValidateRains, LetsGoodOnesPass) {
     EXPECT_EQ(complaint({"a", ConvexRegion::everywhere(), some_drops(), {}}), "");
     EXPECT_EQ(complaint({"a", ConvexRegion::layer(0.0 * m, 1.0 * m), some_drops(), Chaos{}}), "");
     EXPECT_EQ(complaint({"a", tetrahedron(4), some_drops(), {}}), "");
+}
+
+// Each flight in it would be lit undimmed, and so the sum over orders would grow with the depth.
+TEST(ValidateRains, RainWithoutEndHasOneOrder) {
+    for (const int orders : {2, RainSettings::kAllOrders}) {
+        EXPECT_EQ(
+            complaint({"a", ConvexRegion::everywhere(), some_drops(), {}}, orders),
+            "rain \"a\": it has no end, so that light of all orders would come from "
+            "everywhere; render.rain.orders above 1 needs a layer, a box, a curtain or a mesh");
+        EXPECT_EQ(complaint({"a", ConvexRegion::layer(0.0 * m, 1.0 * m), some_drops(), {}}, orders),
+                  "");
+    }
 }
 
 TEST(ValidateRains, SaysWhatIsWrong) {

@@ -112,7 +112,7 @@ void validate(const CloudBank& cloud) {
 
 double cover_towards(const CloudBank& cloud, Dir<World> direction) {
     const double altitude = std::asin(std::clamp(direction.v.y, -1.0, 1.0));
-    if (altitude < 0.0) return 0.0;
+    if (altitude < cloud.horizon.to(unit::rad)) return 0.0;
     const double softness = cloud.softness.to(unit::rad);
     // Ragged edges: they wander by up to their own width.
     const double ragged = cloud.texture > 0.0 && softness > 0.0

@@ -22,19 +22,20 @@ struct CloudBank {
     /// How much its luminance differs from place to place, and how ragged its edges are: 0 even, 1
     /// from nothing to twice the mean.
     double texture = 0.5;
-    std::uint64_t seed = 0;  ///< another one is another cloud
+    std::uint64_t seed = 0;           ///< another one is another cloud
+    Angle horizon = 0.0 * unit::deg;  ///< altitude above which there is sky; a high eye's is lower
 };
 
 /// Throws InputError, one sentence, for a value outside its range.
 void validate(const CloudBank& cloud);
 
-/// Share of the light from `direction` that the bank hides, 0 to `cover`; none below the horizon.
+/// Share of the light from `direction` that the bank hides, 0 to `cover`; none below its horizon.
 double cover_towards(const CloudBank& cloud, Dir<World> direction);
 
 /// `behind` with the bank before it. The bank has the luminance share · E / π, E the illuminance of
 /// `behind` on level ground, and the colour of `light`.
-/// @param light  a spectrum of any size, not black: sunlight and skylight together are grey.
-/// What `behind` says of the ground is kept.
+/// @param light  a spectrum of any size, not black: sunlight and skylight together are grey by day
+/// and red at sunset. What `behind` says of the ground is kept.
 SkyDomePtr make_cloud_bank_dome(SkyDomePtr behind, const CloudBank& cloud, SpectrumPtr light);
 
 /// The sum of two skies, both there at once: scattered moonlight and the light of the night.

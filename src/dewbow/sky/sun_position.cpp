@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -172,8 +173,10 @@ SkyPosition sun_position(const DateTime& when, const Place& where) {
     const double hour_angle =
         radians(sidereal_time(julian, sun)) + where.longitude.to(unit::rad) - right_ascension;
     // Towards the sun: up, and along the horizon towards north and east.
-    const double up = std::sin(latitude) * std::sin(declination) +
-                      std::cos(latitude) * std::cos(declination) * std::cos(hour_angle);
+    const double up =
+        std::clamp(std::sin(latitude) * std::sin(declination) +
+                       std::cos(latitude) * std::cos(declination) * std::cos(hour_angle),
+                   -1.0, 1.0);
     const double north = std::cos(latitude) * std::sin(declination) -
                          std::sin(latitude) * std::cos(declination) * std::cos(hour_angle);
     const double east = -std::cos(declination) * std::sin(hour_angle);

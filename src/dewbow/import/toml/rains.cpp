@@ -124,7 +124,6 @@ Rain read_rain(Table& table, std::size_t number, const RainContext& context) {
                                    context.diagnostics);
     rain.chaos = find_chaos(table, "size_m");
     rain.drops = read_drops(table, rain, context);
-    rain.chaos = find_chaos(table, "size_m");
     table.finish();
     check_depth(table, rain);
     if (const std::string& note = rain.drops->note(); !note.empty()) {

@@ -12,6 +12,7 @@
 #include "dewbow/sky/cloud_bank.h"
 #include "dewbow/sky/night.h"
 #include "dewbow/sky/overcast.h"
+#include "dewbow/sky/sight_line.h"
 #include "dewbow/sky/sun_position.h"
 #include "dewbow/sky/sunlight.h"
 #include "dewbow/spectrum/illuminant.h"
@@ -139,16 +140,33 @@ CloudBank read_cloud(const TomlDocument& document, const TomlValue& value) {
 struct Dome {
     SkyDomePtr light;
     AerialPtr aerial;
+    SpectrumPtr on_cloud;  ///< the colour of what falls on a cloud
 };
+
+/// On a ball, on average: a quarter of the direct light and half of what falls on level ground from
+/// the sky; in steps that are coarser than the sun's lines.
+SpectrumPtr light_on_cloud(const Body& body, const ClearSky& air, const Spectrum& diffuse) {
+    const SpectrumPtr direct =
+        make_direct_sunlight(body.above_atmosphere, body.position.altitude, air);
+    constexpr double kStep_nm = 10.0;
+    std::vector<double> lambda_nm, values;
+    for (double nm = kLambdaMin_nm; nm <= kLambdaMax_nm; nm += kStep_nm) {
+        lambda_nm.push_back(nm);
+        values.push_back(0.25 * (*direct)(nm * unit::nm) + 0.5 * diffuse(nm * unit::nm));
+    }
+    return make_tabulated(std::move(lambda_nm), std::move(values), OutsideTable::hold);
+}
 
 Dome make_dome(SkyKind kind, const std::optional<Body>& body, const ClearSky& air) {
     if (kind == SkyKind::overcast)
-        return {make_overcast_dome(body->position.altitude, air.ground_albedo), nullptr};
-    if (!body) return {make_moonless_dome(air), nullptr};
+        return {make_overcast_dome(body->position.altitude, air.ground_albedo), nullptr,
+                find_illuminant("D65")};
+    if (!body) return {make_moonless_dome(air), nullptr, find_illuminant("D65")};
     const auto clear = make_clear_sky_dome(
         air, direction_to(body->position.altitude, body->position.azimuth), body->above_atmosphere);
-    if (kind == SkyKind::clear) return {clear, clear->aerial()};
-    return {make_sum_of_domes(clear, make_moonless_dome(air)), clear->aerial()};
+    const SpectrumPtr on_cloud = light_on_cloud(*body, air, *clear->diffuse_irradiance());
+    if (kind == SkyKind::clear) return {clear, clear->aerial(), on_cloud};
+    return {make_sum_of_domes(clear, make_moonless_dome(air)), clear->aerial(), on_cloud};
 }
 
 class SkyReader {
@@ -168,7 +186,9 @@ public:
         std::optional<CloudBank> cloud;
         if (const TomlValue* value = table_.find("cloud")) {
             cloud = read_cloud(document_, *value);
-            dome.light = make_cloud_bank_dome(dome.light, *cloud, find_illuminant("D65"));
+            if (kind_ != SkyKind::overcast)
+                cloud->horizon = -dip_of_horizon(air.eye_height_m) * unit::rad;
+            dome.light = make_cloud_bank_dome(dome.light, *cloud, dome.on_cloud);
         }
         read_aerial(dome.aerial, scene);
         table_.finish();

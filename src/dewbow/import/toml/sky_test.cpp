@@ -52,6 +52,37 @@ TEST(SkyToml, ASkyIsSeenFromAHeight) {
     EXPECT_GT(haze, 1.5 * ground);
 }
 
+// At 4 km the horizon lies 1.9° below the level; a bank that goes down to it has no gap there.
+TEST(SkyToml, ABankOfCloudGoesDownToTheHorizonOfAHighEye) {
+    const std::string sky =
+        "[sky]\nsun = { altitude_deg = 30, azimuth_deg = 180 }\neye_height_m = 4000\n";
+    const std::string bank =
+        "cloud = { azimuth_deg = 0, bottom_deg = -90, softness_deg = 0, luminance_share = 0.1, "
+        "texture = 0 }\n";
+    const Scene scene = scene_of(sky + bank);
+    const auto north = [&](double altitude_deg) {
+        const Angle a = altitude_deg * deg;
+        return dome_of(scene).luminance(Dir<World>{{0.0, sin(a), -cos(a)}});
+    };
+    EXPECT_NEAR(north(-1.0), north(5.0), 1e-9 * north(5.0));
+    EXPECT_GT(north(-3.0), 1.5 * north(5.0));  // ground in the sun
+}
+
+// Cloud has the colour of the light that falls on it: a low sun's is red.
+TEST(SkyToml, CloudIsRedderAtSunset) {
+    const auto red_over_blue = [](const char* altitude) {
+        const Scene scene = scene_of(
+            std::string("[sky]\nsun = { altitude_deg = ") + altitude +
+            ", azimuth_deg = 180 }\ncloud = { azimuth_deg = 0, softness_deg = 0, texture = 0 }\n");
+        const std::array<double, 2> lambda_nm{650.0, 450.0};
+        std::array<double, 2> radiance;
+        dome_of(scene).radiance_lanes(Dir<World>{normalised({0.0, 0.3, -1.0})}, lambda_nm,
+                                      radiance);
+        return radiance[0] / radiance[1];
+    };
+    EXPECT_GT(red_over_blue("1.5"), 1.05 * red_over_blue("30"));
+}
+
 TEST(SkyToml, TheSunStandsByDateTimeAndPlace) {
     // The published example of sun_position_test.cpp, in thicker air.
     const Scene scene = scene_of(

@@ -14,8 +14,10 @@ void dim_by_uneven_rain(const LineInterval& part, std::span<const double> extinc
     if (!(most > 0.0) || !(length > 0.0)) return;
     for (std::size_t k = 0; k < extinction.size(); ++k)
         if (extinction[k] > 0.0) values.v[k] *= std::exp(-extinction[k] * usual * length);
-    // Behind rain without end nothing is left.
-    if (std::isinf(length)) return;
+    // Behind rain without end, or very dense rain, nothing is left.
+    if (std::all_of(values.v.begin(), values.v.begin() + std::ptrdiff_t(extinction.size()),
+                    [](double value) { return value == 0.0; }))
+        return;
     const double rate = most * std::max(usual, 1.0 - usual);
     double s = part.begin;
     for (;;) {
