@@ -265,7 +265,9 @@ TEST(GlassFiles, OfAllThirteenFormulasGiveTheirIndices) {
 class SceneWithGlassFile : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = std::filesystem::path(testing::TempDir()) / "dewbow_scene_with_glass_file";
+        folder_ = std::filesystem::path(testing::TempDir()) /
+                  (std::string("dewbow_scene_with_glass_file_") +
+                   testing::UnitTest::GetInstance()->current_test_info()->name());
         std::filesystem::create_directories(folder_);
         write_file_atomically(folder_ / "maker.agf",
                               kBk7 + "NM F 2 0 1.5168 64\nCD 1.3 0.01\nLD 0.5 0.6\n");
