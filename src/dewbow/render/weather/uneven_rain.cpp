@@ -15,6 +15,7 @@ void dim_by_uneven_rain(const LineInterval& part, std::span<const double> extinc
     for (std::size_t k = 0; k < extinction.size(); ++k)
         if (extinction[k] > 0.0) values.v[k] *= std::exp(-extinction[k] * usual * length);
     // Behind rain without end, or very dense rain, nothing is left.
+    if (std::isinf(length)) return;
     if (std::all_of(values.v.begin(), values.v.begin() + std::ptrdiff_t(extinction.size()),
                     [](double value) { return value == 0.0; }))
         return;
