@@ -97,8 +97,13 @@ LoadedScene load(const RenderCommand& command, bool silent) {
 }
 
 EstimatorChoice estimator_of(const RenderCommand& command, const Scene& scene, bool silent) {
-    for (const EstimatorRow& row : estimators())
-        if (row.name == command.estimator) return {row, row.make(scene), {}};
+    for (const EstimatorRow& row : estimators()) {
+        if (row.name != command.estimator) continue;
+        EstimatorChoice chosen{row, row.make(scene), {}};
+        if (const std::string lost = chosen.estimator->leaves_out(); !lost.empty() && !silent)
+            print_message(fmt::format("warning: {} leaves out {}", row.name, lost));
+        return chosen;
+    }
     EstimatorChoice choice = choose_estimator(scene);
     if (!command.quiet && !silent)
         print_message(fmt::format("estimator {}: {}", choice.row.name, choice.reason));

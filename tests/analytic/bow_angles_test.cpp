@@ -15,7 +15,7 @@
 #include "dewbow/math/transform.h"
 #include "dewbow/rainbow/scattering_table.h"
 #include "dewbow/render/session.h"
-#include "dewbow/sky/drop_cloud.h"
+#include "dewbow/sky/test_drops.h"
 #include "dewbow/spectrum/cie.h"
 #include "scene_kit.h"
 
@@ -31,12 +31,7 @@ constexpr double kSheet_m = 10.0, kDepth = 1e-4;
 using Profile = std::vector<std::pair<double, std::array<double, 3>>>;  ///< by angle in degrees
 
 DropCloudRequest request_of(const char* model, const char* sizes) {
-    DropCloudRequest request;
-    request.model = model;
-    request.showers = {parse_drop_sizes(sizes)};
-    request.optics = {make_dispersion(find_glass("water@20C").data),
-                      make_dispersion(find_glass("air").data), 0.0};
-    request.amount = RainExtinction{kDepth / kSheet_m};
+    DropCloudRequest request = test_drops(kDepth / kSheet_m, sizes, model);
     request.discs = {SunDisc{}};
     return request;
 }

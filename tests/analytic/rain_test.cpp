@@ -68,6 +68,27 @@ TEST(Rain, MakesNoNoiseWhereNothingShadows) {
     }
 }
 
+// At the antisolar point of a layer light comes back by the way that it went: what is sent is half
+// of what 2τ would stop.
+TEST(Rain, TheAntisolarPointOfALayer) {
+    constexpr double kThick_m = 10.0;
+    const Ray ray = ray_above_antisolar(kAltitude, 0.0);
+    for (const double depth : {0.1, 1.0, 5.0}) {
+        Scene scene = sunny_scene(kAltitude);
+        const DropCloudPtr cloud = drops(depth * -ray.direction.y / kThick_m);
+        scene.rains = {{"layer", ConvexRegion::layer(-30.0 * m, -20.0 * m), cloud, std::nullopt}};
+        double per_m, albedo;
+        Intensities phase;
+        cloud->extinction_lanes({&kLambda_nm, 1}, {&per_m, 1});
+        cloud->albedo_lanes({&kLambda_nm, 1}, {&albedo, 1});
+        cloud->phase_lanes(-1.0, cloud->disc_of({kSunDisc, 0.0}), {&kLambda_nm, 1}, {&phase, 1});
+        const double tau = per_m * kThick_m / -ray.direction.y;
+        const double sent =
+            kSunIrradiance * albedo * phase.unpolarised() * 0.5 * -std::expm1(-2.0 * tau);
+        EXPECT_NEAR(one_sample(scene, ray)[1] / sent, 1.0, kLanesDiffer) << depth;
+    }
+}
+
 TEST(Rain, TwoIdenticalRainsAreOneTwiceAsDense) {
     Scene two = sunny_scene(kAltitude), dense = two;
     two.rains = {shower(4e-3), shower(4e-3)};

@@ -6,7 +6,7 @@
 #include "../analytic/scene_kit.h"
 #include "../analytic/welch.h"
 #include "dewbow/render/path/camera_walk.h"
-#include "dewbow/sky/drop_cloud.h"
+#include "dewbow/sky/test_drops.h"
 #include "slab_of_photons.h"
 
 namespace dewbow::kit {
@@ -16,12 +16,7 @@ inline constexpr double kSlabLambda_nm = 550.0;
 
 /// The optical depth is of the slab, straight through, at kSlabLambda_nm.
 inline DropCloudPtr drops_of_slab(double optical_depth, const char* sizes, const char* model) {
-    DropCloudRequest request;
-    request.model = model;
-    request.showers = {parse_drop_sizes(sizes)};
-    request.optics = {make_dispersion(find_glass("water@20C").data),
-                      make_dispersion(find_glass("air").data), 0.0};
-    request.amount = RainExtinction{optical_depth / kSlabThickness_m};
+    DropCloudRequest request = test_drops(optical_depth / kSlabThickness_m, sizes, model);
     request.discs = {SunDisc{}};
     return make_drop_cloud(request);
 }

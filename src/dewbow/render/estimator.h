@@ -54,6 +54,9 @@ public:
     /// overlapping tiles at the same time. A function of scene, settings and unit alone.
     virtual void render(const Unit& unit, FilmSums& film) const = 0;
 
+    /// What of the scene it does not show, for people; empty: nothing that it does not refuse.
+    virtual std::string leaves_out() const { return {}; }
+
     /// How many light paths it wants traced for each sample of each pixel of the whole picture; 0 =
     /// it has none.
     virtual double light_paths() const { return 0.0; }

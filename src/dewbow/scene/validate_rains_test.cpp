@@ -2,28 +2,17 @@
 #include <gtest/gtest.h>
 
 #include "dewbow/base/error.h"
-#include "dewbow/optics/catalogue.h"
 #include "dewbow/scene/rain_inside.h"
 #include "dewbow/scene/scene.h"
-#include "dewbow/sky/drop_cloud.h"
+#include "dewbow/sky/test_drops.h"
 
 namespace dewbow {
 namespace {
 
 using namespace unit;
 
-DropCloudPtr make_drops() {
-    DropCloudRequest request;
-    request.model = "descartes";
-    request.showers = {parse_drop_sizes("0.5mm")};
-    request.optics = {make_dispersion(find_glass("water@20C").data),
-                      make_dispersion(find_glass("air").data), 0.0};
-    request.amount = RainExtinction{1e-3};
-    return make_drop_cloud(request);
-}
-
 const DropCloudPtr& some_drops() {
-    static const DropCloudPtr drops = make_drops();
+    static const DropCloudPtr drops = make_drop_cloud(test_drops(1e-3));
     return drops;
 }
 

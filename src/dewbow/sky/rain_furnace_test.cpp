@@ -5,10 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "dewbow/optics/catalogue.h"
-#include "dewbow/sky/drop_cloud.h"
 #include "dewbow/sky/rain_law.h"
 #include "dewbow/sky/rain_region.h"
+#include "dewbow/sky/test_drops.h"
 
 namespace dewbow {
 namespace {
@@ -26,18 +25,8 @@ double albedo_of(const DropCloud& cloud) {
     return albedo;
 }
 
-DropCloudPtr make_drops() {
-    DropCloudRequest request;
-    request.model = "descartes";
-    request.showers = {parse_drop_sizes("0.5mm")};
-    request.optics = {make_dispersion(find_glass("water@20C").data),
-                      make_dispersion(find_glass("air").data), 0.0};
-    request.amount = RainExtinction{1e-3};
-    return make_drop_cloud(request);
-}
-
 const DropCloudPtr& drops() {
-    static const DropCloudPtr made = make_drops();
+    static const DropCloudPtr made = make_drop_cloud(test_drops(1e-3));
     return made;
 }
 

@@ -91,10 +91,3 @@ RAIN_LAW real rain_antisolar(real depth) { return rain_slab(depth, 1.0); }
 /// The integral over rain without end, into which sunlight comes undimmed, before something at an
 /// optical depth.                                                                1 - e^{-depth}
 RAIN_LAW real rain_endless(real depth) { return rain_slab(depth, 0.0); }
-
-/// The share of fog's colour in what is seen at a distance of `depth` = h d / t, as eq. 14 was printed:
-/// it grows from 1 without bound.                                              [Musgrave 1989, eq. 14]
-RAIN_LAW real paper_fog_as_published(real depth) { return exp(depth); }
-
-/// As it was meant: 0 at no distance, 1 infinitely far.
-RAIN_LAW real paper_fog(real depth) { return rain_endless(depth); }

@@ -123,14 +123,6 @@ TEST(RainLaw, SlabsOfOneDepthAreOnePiece) {
     }
 }
 
-TEST(RainLaw, ThePapersFogAsMeantStartsAtNothing) {
-    EXPECT_EQ(paper_fog(0.0), 0.0);
-    EXPECT_NEAR(paper_fog(1.0), 0.6321205588285577, 1e-15);
-    EXPECT_EQ(paper_fog(1e9), 1.0);
-    EXPECT_EQ(paper_fog_as_published(0.0), 1.0);
-    EXPECT_NEAR(paper_fog_as_published(1.0), 2.718281828459045, 1e-15);
-}
-
 TEST(RainLaw, SinglePrecisionAgrees) {
     constexpr double kSingle = 2e-6;  // some roundings of a float
     for (const double change : {1e-9, 1e-3, 0.1, 0.3, 0.6, 4.0, 60.0}) {

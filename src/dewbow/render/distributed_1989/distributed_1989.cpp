@@ -23,11 +23,16 @@ Workspace& workspace_of(const Method& method) {
 
 class Distributed1989Estimator : public Estimator {
 public:
-    explicit Distributed1989Estimator(const Scene& scene) : method_(scene) {
+    explicit Distributed1989Estimator(const Scene& scene)
+        : method_(scene), aerial_(scene.aerial != nullptr) {
         if (scene.camera.polariser)
             throw InputError(
                 "the camera has a polariser, and distributed_1989 knows no polarised light",
                 "the estimators path and caustics do");
+    }
+
+    std::string leaves_out() const override {
+        return aerial_ ? "the veil of the air before what is far (aerial_perspective)" : "";
     }
 
     void render(const Unit& unit, FilmSums& film) const override {
@@ -42,6 +47,7 @@ public:
 
 private:
     Method method_;
+    bool aerial_;
 };
 
 }  // namespace

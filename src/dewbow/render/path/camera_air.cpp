@@ -35,14 +35,8 @@ void CameraWalk::air_before_rain(const SharedPath& path, const Way& way) {
     pieces.cut(weather, way, nullptr);
     if (pieces.empty()) return;
     const int count = path.lanes.count;
-    lanes.resize(weather.rains().size());
-    for (std::size_t i = 0; i < lanes.size(); ++i) {
-        const PacketWeather::RainLanes& rain = packet_weather().rain(i);
-        for (int k = 0; k < count; ++k)
-            lanes[i].extinction[k] = weather.usual_density(i) *
-                                     rain.extinction[std::size_t(path.lanes.id[std::size_t(k)])];
-        lanes[i].source = lanes[i].extinction;
-    }
+    set_extinction_of_rains(path.lanes);
+    for (RainLight::RainLanes& rain : lanes) rain.source = rain.extinction;
     light.weigh(pieces, lanes, {}, count);
 
     const std::uint32_t at = way.at + kAirBeforeRain;

@@ -24,7 +24,6 @@ constexpr int kPointsOfSun = 4;
 /// Share of the points at which the direction of skylight is chosen by the drops' phase function,
 /// which the fog's forward peak needs, and not by the sky's brightness.
 constexpr double kByChance = 0.5;
-
 /// Share of the points at which other lights are asked that is taken by where lamps are near.
 constexpr double kByLamps = 0.5;
 
@@ -56,6 +55,17 @@ void CameraWalk::light_in_rain(const SharedPath& path, const Hit& hit) {
     if (prepared_.lights.any(LightSet::Asked::all_but_distant)) sky_in_rain(path, way);
 }
 
+/// What a metre of each rain stops, as dense as it mostly is. What it sends is yet to be said.
+void CameraWalk::set_extinction_of_rains(const LaneSet& lanes) {
+    const Weather& weather = *prepared_.weather;
+    auto& rains = rain_memory().lanes;
+    rains.resize(weather.rains().size());
+    for (std::size_t i = 0; i < rains.size(); ++i) {
+        rains[i].extinction = carried(packet_weather().rain(i).extinction, lanes);
+        for (int k = 0; k < lanes.count; ++k) rains[i].extinction[k] *= weather.usual_density(i);
+    }
+}
+
 /// Of the medium between the drops.
 std::span<const double> CameraWalk::haze_on(const SharedPath& path, LaneValues& extinction) {
     const auto* sigma = packet_media().extinction(path.media.interior());
@@ -81,17 +91,13 @@ void CameraWalk::sun_in_rain(const SharedPath& path, const Way& way, std::size_t
     const double perpendicular = polariser && path.sees_start() && !sun.mirror
                                      ? polariser->perpendicular_share(way.direction, sun.towards)
                                      : 0.5;
-    lanes.resize(weather.rains().size());
+    set_extinction_of_rains(path.lanes);
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-        const PacketWeather::RainLanes& rain = packet_weather().rain(i);
-        const LaneValues extinction = carried(rain.extinction, path.lanes);
-        const LaneValues albedo = carried(rain.albedo, path.lanes);
+        const LaneValues albedo = carried(packet_weather().rain(i).albedo, path.lanes);
         phase_at(*weather.rains()[i].drops, cosine, sun.discs[i], path.lanes, lanes[i].source,
                  perpendicular);
-        for (int k = 0; k < count; ++k) {
-            lanes[i].extinction[k] = extinction[k] * weather.usual_density(i);
+        for (int k = 0; k < count; ++k)
             lanes[i].source[k] *= irradiance[k] * albedo[k] * lanes[i].extinction[k];
-        }
     }
     LaneValues haze;
     light.weigh(pieces, lanes, haze_on(path, haze), count);
@@ -138,6 +144,7 @@ void CameraWalk::sun_at_point_of_rain(const SharedPath& path, const Way& way, co
         for (int k = 0; k < count; ++k) radiance[k] *= sample.left[k];
         weather.dim_by_air({way.origin, way.direction, sample.distance, at, way.purpose},
                            path.lanes, radiance);
+        if (sun.mirror) weather.dim_by_air(way_to_mirror(sun, point, at), path.lanes, radiance);
     } else {
         absorb({way.origin, way.direction, sample.distance, at, Purpose::rain_on_flight},
                path.lanes, radiance, path.media);
@@ -168,6 +175,12 @@ void CameraWalk::mirror_in_rain(const RainSun& sun, const Way& way, const Reflec
     }
 }
 
+/// From `point` to where its light was mirrored.
+Way CameraWalk::way_to_mirror(const RainSun& sun, Vec3 point, std::uint32_t at) {
+    const Vec3 mirror = sun.mirror->place({point}, {sun.towards}).v;
+    return shadow_way(point, sun.towards, length(mirror - point), at);
+}
+
 /// By what the weather leaves of the sun's light on its way to `point`.
 void CameraWalk::dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, const LaneSet& lanes,
                             LaneValues& radiance) {
@@ -175,8 +188,9 @@ void CameraWalk::dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, co
         dim(shadow_way(point, sun.towards, kInfinity, at), lanes, radiance);
         return;
     }
-    const Vec3 mirror = sun.mirror->place({point}, {sun.towards}).v;
-    dim(shadow_way(point, sun.towards, length(mirror - point), at), lanes, radiance);
+    const Way to_mirror = way_to_mirror(sun, point, at);
+    dim(to_mirror, lanes, radiance);
+    const Vec3 mirror = point + to_mirror.direction * to_mirror.length;
     const Vec3 to_sun = MirroredSun::image_of({sun.towards}).v;
     dim(shadow_way(mirror, to_sun, kInfinity, at + kBehindMirror), lanes, radiance);
 }
@@ -188,15 +202,10 @@ void CameraWalk::sky_in_rain(const SharedPath& path, const Way& way) {
     pieces.cut(weather, way, nullptr);
     if (pieces.empty()) return;
     const int count = path.lanes.count;
-    lanes.resize(weather.rains().size());
+    set_extinction_of_rains(path.lanes);
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-        const PacketWeather::RainLanes& rain = packet_weather().rain(i);
-        const LaneValues extinction = carried(rain.extinction, path.lanes);
-        const LaneValues albedo = carried(rain.albedo, path.lanes);
-        for (int k = 0; k < count; ++k) {
-            lanes[i].extinction[k] = extinction[k] * weather.usual_density(i);
-            lanes[i].source[k] = albedo[k] * lanes[i].extinction[k];
-        }
+        const LaneValues albedo = carried(packet_weather().rain(i).albedo, path.lanes);
+        for (int k = 0; k < count; ++k) lanes[i].source[k] = albedo[k] * lanes[i].extinction[k];
     }
     LaneValues haze;
     light.weigh(pieces, lanes, haze_on(path, haze), count);

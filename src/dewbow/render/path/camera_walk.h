@@ -69,6 +69,7 @@ private:
     void sun_in_rain(const SharedPath& path, const Way& way, std::size_t sun);
     void mirror_in_rain(const RainSun& sun, const Way& way, const ReflectanceLanes& shares,
                         const LaneSet& lanes, std::span<RainLight::RainLanes> rains) const;
+    static Way way_to_mirror(const RainSun& sun, Vec3 point, std::uint32_t at);
     void dim_to_sun(const RainSun& sun, Vec3 point, std::uint32_t at, const LaneSet& lanes,
                     LaneValues& radiance);
     void sun_at_point_of_rain(const SharedPath& path, const Way& way, const RainSun& sun,
@@ -80,6 +81,7 @@ private:
                               double u_choice, std::array<double, 2> u);
     void sky_by_chance_in_rain(const SharedPath& path, const RainPoint& at, double u_rain,
                                std::array<double, 2> u);
+    void set_extinction_of_rains(const LaneSet& lanes);
     std::span<const double> haze_on(const SharedPath& path, LaneValues& extinction);
     double density_in_rain(const RainPoint& at, double cosine) const;
     bool scattered_in_rain(const SharedPath& path, const RainPoint& at, Vec3 towards,
